@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * libaccel: draws on a Gloss board.
+ *
+ * Two levels share the nouns below. At the draw level a program hands over
+ * meshes, matrices, lights and materials, and the library transforms, lights,
+ * chooses the shading of each triangle, bins triangles to tiles and packs the
+ * command stream. At the stream level a program packs its own (packets are in
+ * gloss_packets.h, their meaning in rtl/INTERFACE.md).
+ *
+ * Errors. Functions return 0 or a positive count, or a negative errno value;
+ * a message saying what failed goes to the device's message function if there
+ * is one. The library does not print, exit or abort. Any function that takes
+ * memory may return -ENOMEM.
+ *
+ * Threads. A device may be used by any number of threads at once. Every other
+ * object is to be used by one thread at a time; different objects, also of one
+ * device, by different threads at once.
+ *
+ * Ownership. Every _new has its _free, which takes NULL. An object keeps what
+ * it was made from alive: freeing a device with buffers left frees it when the
+ * last buffer goes.
+ *
+ * Units. Matrices are 4x4 floats, column by column, as in OpenGL; a vector is a
+ * column. Clip space is OpenGL's (-w <= x, y, z <= w), window y points down in
+ * memory and on screen: NDC y = 1 is row 0. Colours are floats, 0 to 1.
+ */
+#ifndef ACCEL_H
+#define ACCEL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ACCEL_LIGHTS 8
+#define ACCEL_TARGET_SIZE_MAX 2048
+
+struct accel_device;
+struct accel_buffer;
+struct accel_target;
+struct accel_state;
+struct accel_draw;
+struct accel_stream;
+struct accel_fence;
+
+/* ---- device ---- */
+
+struct accel_device_info {
+	char name[64];			/* for people */
+	uint32_t tile_size;		/* pixels, 32 or 64 */
+	uint32_t pixels_per_clock;
+	uint64_t memory_size;		/* bytes */
+};
+
+/* Receives one line without a newline; called from the thread of the failing call. */
+typedef void (*accel_message_fn)(void *data, const char *message);
+
+/*
+ * Opens the board called @name: "model:" (the C model, in this process),
+ * "sim:" (the Verilated RTL, in this process) or "auto" (the first that
+ * opens; also for NULL). "model:tile=32" and "sim:tile=32,lanes=4" choose the
+ * core's parameters, "memory=BYTES" the size of board memory.
+ * @message may be NULL.
+ * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
+ * allowed, -EINVAL a name that is not understood.
+ */
+int accel_device_new(const char *name, accel_message_fn message, void *data,
+		     struct accel_device **device);
+void accel_device_free(struct accel_device *device);
+void accel_device_info(struct accel_device *device, struct accel_device_info *info);
+
+/* ---- buffer: a range of board memory ---- */
+
+/* @size in bytes, at most 2^31; its content is zero. */
+int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_buffer **buffer);
+void accel_buffer_free(struct accel_buffer *buffer);
+
+/* Copies between @data and the buffer; @offset and @size are multiples of 4.
+ * -EINVAL misaligned or outside the buffer, -EIO, -ENODEV. */
+int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void *data, uint64_t size);
+int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, uint64_t size);
+
+/* ---- target: colour and depth to draw on ---- */
+
+/* @width, @height in pixels, 1 to ACCEL_TARGET_SIZE_MAX; else -EINVAL. Cleared to zero. */
+int accel_target_new(struct accel_device *device, int width, int height,
+		     struct accel_target **target);
+void accel_target_free(struct accel_target *target);
+
+/*
+ * Reads the whole target: row by row from the top, @pitch bytes from a row to
+ * the next (at least 4*width, multiple of 4). A colour pixel is red, green,
+ * blue, alpha bytes; a depth pixel is a uint32_t, depth in bits 23:0.
+ * -EINVAL, -EIO, -ENODEV.
+ */
+int accel_target_read_colour(struct accel_target *target, void *pixels, size_t pitch);
+int accel_target_read_depth(struct accel_target *target, void *pixels, size_t pitch);
+
+/* ---- state: everything a draw depends on but the mesh ---- */
+
+enum accel_shading {
+	ACCEL_SHADING_GOURAUD,		/* colour at vertices, linear between: what OpenGL says */
+	ACCEL_SHADING_ADAPTIVE,		/* the default: as much as each triangle needs (SH-ADAPT) */
+	ACCEL_SHADING_QUADRATIC,	/* a second-order surface on each triangle (SH-QSURF) */
+	ACCEL_SHADING_FLAT		/* one colour a triangle */
+};
+
+enum accel_compare {
+	ACCEL_COMPARE_NEVER, ACCEL_COMPARE_LESS, ACCEL_COMPARE_EQUAL, ACCEL_COMPARE_LEQUAL,
+	ACCEL_COMPARE_GREATER, ACCEL_COMPARE_NOTEQUAL, ACCEL_COMPARE_GEQUAL, ACCEL_COMPARE_ALWAYS
+};
+
+enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
+
+/* Reflectances, RGBA; @shininess is the specular exponent n, 0 to 1000.
+ * Alpha of a lit pixel is diffuse[3]. */
+struct accel_material {
+	float emission[4], ambient[4], diffuse[4], specular[4];
+	float shininess;
+};
+
+/*
+ * A light, in eye space. position[3] = 0: directional, position is the
+ * direction towards it; else a point. A spot has spot_cutoff 0 to 90 degrees,
+ * other lights 180. Attenuation 1/(c + l*d + q*d^2) for points and spots.
+ */
+struct accel_light {
+	bool enabled;
+	float position[4];
+	float ambient[4], diffuse[4], specular[4];
+	float attenuation[3];		/* c, l, q */
+	float spot_direction[3];
+	float spot_exponent;		/* 0 to 128 */
+	float spot_cutoff;
+};
+
+int accel_state_new(struct accel_state **state);
+void accel_state_free(struct accel_state *state);
+
+/* Model to eye, eye to clip. */
+void accel_state_set_modelview(struct accel_state *state, const float matrix[16]);
+void accel_state_set_projection(struct accel_state *state, const float matrix[16]);
+/* Window rectangle in pixels (top left, size) and depth range, 0 to 1. Default: the whole target, 0 to 1. */
+void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height);
+void accel_state_set_depth_range(struct accel_state *state, float near, float far);
+/* Rectangle in pixels from the top left; width < 0 switches it off, the default. */
+void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height);
+/* ACCEL_COMPARE_ALWAYS without write is no depth test, the default. */
+void accel_state_set_depth(struct accel_state *state, enum accel_compare func, bool write);
+void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue, bool alpha);
+/* Front faces are counter-clockwise on screen (NDC, y up). */
+void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
+/* Lighting off (the default): vertex colours, or white without, are drawn as they are. */
+void accel_state_set_lighting(struct accel_state *state, bool enabled);
+/* Back faces are lit with the normal reversed and the back material. */
+void accel_state_set_two_sided(struct accel_state *state, bool enabled);
+/* Highlights seen from each pixel's own direction (true, the default) or from (0,0,1) (false). */
+void accel_state_set_local_viewer(struct accel_state *state, bool enabled);
+void accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
+/* -EINVAL: shininess outside 0..1000 or a value that is not finite. */
+int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
+			     const struct accel_material *back);
+/* -EINVAL: @index not below ACCEL_LIGHTS or a value out of range. */
+int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
+void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
+
+/* ---- mesh: lent for the duration of a call ---- */
+
+enum accel_topology { ACCEL_TRIANGLES, ACCEL_TRIANGLE_STRIP, ACCEL_TRIANGLE_FAN };
+
+/* Arrays of @vertices elements, tightly packed; @normal and @colour may be NULL.
+ * @index NULL draws the vertices in order, and @indices is ignored. */
+struct accel_mesh {
+	enum accel_topology topology;
+	uint32_t vertices;
+	const float (*position)[3];
+	const float (*normal)[3];	/* need not be unit length; NULL: flat, from the triangle */
+	const float (*colour)[4];
+	uint32_t indices;
+	const uint32_t *index;
+};
+
+/* ---- draw: a frame being collected ---- */
+
+#define ACCEL_CLEAR_COLOUR 1u
+#define ACCEL_CLEAR_DEPTH 2u
+
+/* What became of the triangles of a draw; counts since accel_draw_new or _submit. */
+struct accel_draw_stats {
+	uint64_t triangles_in;		/* before clipping, culling and splitting */
+	uint64_t culled, clipped;
+	uint64_t flat, linear, second_order;	/* drawn, after splitting */
+	uint64_t split;			/* triangles that were split */
+	uint64_t records;		/* TRIANGLE packets: a triangle in a tile */
+	uint64_t stream_words;
+	uint64_t tiles;
+};
+
+int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
+void accel_draw_free(struct accel_draw *draw);
+
+/* Clears the whole target before what is drawn after; forgets what was drawn before if both
+ * are cleared. @mask of ACCEL_CLEAR_*; @depth 0 to 1. */
+int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4], float depth);
+
+/*
+ * Draws @mesh on @target. All draws between two submits go to one target
+ * (-EINVAL otherwise). -EINVAL also: an index out of range, coordinates that
+ * are not finite, or no position array.
+ */
+int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
+		    const struct accel_state *state, const struct accel_mesh *mesh);
+
+/* Counts so far; stream words, tiles and records are known after submit. */
+void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats);
+
+/*
+ * Sends the frame to the board. On success *@fence, if @fence is not NULL, is
+ * the caller's to wait for and free; with NULL the call waits itself.
+ * -EIO the board refused the stream, -ENODEV.
+ */
+int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
+
+/* ---- stream: your own packets ---- */
+
+#define ACCEL_SLOT_READ 1u
+#define ACCEL_SLOT_WRITE 2u
+
+int accel_stream_new(struct accel_device *device, struct accel_stream **stream);
+void accel_stream_free(struct accel_stream *stream);
+/* Appends words; they are copied. */
+int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t count);
+/* Names a buffer in the job's slot table and returns the slot number. -ENOSPC: the table is full. */
+int accel_stream_slot(struct accel_stream *stream, struct accel_buffer *buffer, unsigned int rights);
+/* The words so far; valid until the next call with @stream. */
+const uint32_t *accel_stream_words(const struct accel_stream *stream, size_t *count);
+/* Forgets words and slots. */
+void accel_stream_reset(struct accel_stream *stream);
+/*
+ * Sends the stream. @response of @response_words words (NULL if 0) must live
+ * until the fence was waited for or freed. The stream is empty afterwards.
+ */
+int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
+			struct accel_fence **fence);
+
+/* ---- fence ---- */
+
+/* How a job ended. */
+struct accel_fence_status {
+	unsigned int fault;		/* enum gloss_fault, 0: done */
+	uint32_t offset;		/* word of the fault */
+	uint32_t response_words;
+};
+
+/*
+ * Waits for a job, @timeout_ns nanoseconds, for ever if negative. @status may
+ * be NULL. 0 done; -EIO the job ended with a fault (see @status); -ETIMEDOUT;
+ * -ENODEV the board is gone. A second wait gives the same answer.
+ */
+int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
+		     struct accel_fence_status *status);
+/* Waits for the job first, so that its response buffer may go too. */
+void accel_fence_free(struct accel_fence *fence);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The seam between the library and a board. A transport is a table of
+ * functions; device.c holds the list of tables and nothing else in the library
+ * knows which one it talks to.
+ *
+ * The library calls one function of a device at a time (device->lock), except
+ * wait, which any number of threads may be in while others submit. Errors are
+ * -errno; a transport never prints, exits or keeps what it was lent.
+ */
+#ifndef ACCEL_TRANSPORT_H
+#define ACCEL_TRANSPORT_H
+
+#include <stdint.h>
+
+#include "job.h"
+
+/* What a board says of itself. */
+struct accel_transport_info {
+	char name[64];			/* for people: "model", "Verilated core", ... */
+	uint32_t version;		/* GLOSS_VERSION of the board */
+	uint32_t tile_size;		/* 32 or 64 */
+	uint32_t pixels_per_clock;	/* 1, 2, 4, 8 */
+	uint64_t memory_size;		/* bytes of board memory */
+};
+
+/* A range of board memory that a job may use. */
+struct accel_transport_slot {
+	uint64_t object;		/* from memory_new */
+	enum gloss_rights rights;
+};
+
+/* A job in the library's terms; see struct gloss_job. */
+struct accel_transport_job {
+	const uint32_t *stream;
+	uint32_t stream_words;
+	uint32_t *response;
+	uint32_t response_words;
+	const struct accel_transport_slot *slot;
+	uint32_t slots;			/* at most GLOSS_SLOTS */
+};
+
+struct accel_transport_ops {
+	/* Scheme of device names, without the colon: "model". */
+	const char *scheme;
+
+	/*
+	 * Opens a board. @where is the text after the colon, "" if none.
+	 * Stores the transport's own state in *@state.
+	 * -ENODEV: no such board; -EACCES: not allowed; -ENOSYS: support for
+	 * it is not installed; -EINVAL: @where is not understood; -ENOMEM.
+	 */
+	int (*open)(const char *where, void **state);
+
+	/* Ends the board's use. No job is outstanding. */
+	void (*close)(void *state);
+
+	/* Fills @info; does not fail. */
+	void (*info)(void *state, struct accel_transport_info *info);
+
+	/*
+	 * A range of board memory of at least @size bytes, its content zero.
+	 * -ENOMEM: the board has no such range left.
+	 */
+	int (*memory_new)(void *state, uint64_t size, uint64_t *object);
+	void (*memory_free)(void *state, uint64_t object);
+
+	/*
+	 * Starts a job. The stream and slot list are the caller's again on
+	 * return; the response buffer belongs to the board until the job has
+	 * been waited for. Stores a number for wait in *@sequence.
+	 * -ENODEV: the board is gone; -ENOMEM; -EINVAL: not a job.
+	 */
+	int (*submit)(void *state, const struct accel_transport_job *job, uint64_t *sequence);
+
+	/*
+	 * Waits until job @sequence has ended and fills @status; each job is
+	 * waited for once with success. @timeout_ns < 0 waits for ever.
+	 * -ETIMEDOUT: still running; -ENODEV: the board is gone;
+	 * -EIO: the board failed and was reset.
+	 */
+	int (*wait)(void *state, uint64_t sequence, int64_t timeout_ns,
+		    struct gloss_status *status);
+};
+
+extern const struct accel_transport_ops accel_transport_model;
+extern const struct accel_transport_ops accel_transport_sim;
+
+#endif
