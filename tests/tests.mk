@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# Static checks, and what spans more than one part of the tree.
+
+RTL_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv)) rtl/gloss_core.sv
+
+# Each parameter at both its ends; the values between differ in nothing but width.
+LINT_CORES := 32-1-32 64-2-64 64-4-64 64-8-128 32-8-128
+
+.PHONY: lint-rtl lint-tidy lint-cppcheck
+lint-rtl: ## verilator -Wall on the core, at several parameters
+	$(call quiet,LINT,rtl)
+	$(Q)for core in $(LINT_CORES); do \
+		set -- $$(echo $$core | tr - ' '); \
+		verilator --lint-only -Wall -sv -Irtl --top-module gloss_core \
+			-GTileSize=$$1 -GPixelsPerClock=$$2 -GStreamBits=$$3 $(RTL_SOURCES) || exit 1; \
+	done
+
+LINT_SOURCES = $(sort $(wildcard libaccel/*.c libaccel/model/*.c tools/*.c examples/*.c))
+LINT_FLAGS = -std=gnu11 -Ilibaccel -Itools $(LINT_C)
+
+lint-tidy: check-generated ## clang-tidy on the C sources
+	$(call quiet,TIDY,libaccel tools)
+	$(Q)clang-tidy --quiet $(LINT_SOURCES) -- $(LINT_FLAGS) 2>$(BUILD)/check/tidy.log || \
+		{ cat $(BUILD)/check/tidy.log; exit 1; }
+
+lint-cppcheck: check-generated ## cppcheck on the C sources
+	$(call quiet,CPPCHECK,libaccel tools)
+	$(Q)cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+		--error-exitcode=1 -Ilibaccel -Itools --suppress=missingIncludeSystem $(LINT_SOURCES)
+
+LINTS += lint-rtl lint-tidy lint-cppcheck
+
+# tests/check asks for checked-TARGET; the line in the file is the proof that TARGET ran and passed.
+define checked_rule
+.PHONY: checked-$(1)
+checked-$(1): $(1)
+	@echo $(1) >> $(BUILD)/check/passed
+endef
+$(foreach target,$(CHECKED),$(eval $(call checked_rule,$(target))))
