@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/* What the files of the library know of each other; accel.h says what is theirs to promise. */
+#ifndef ACCEL_PRIV_H
+#define ACCEL_PRIV_H
+
+#include <pthread.h>
+
+#include "accel.h"
+#include "transport.h"
+
+/* Surfaces are padded to whole tiles of either size, so that a picture's place in memory does
+ * not depend on the core. */
+#define ACCEL_TARGET_ALIGN 64
+
+struct accel_device {
+	const struct accel_transport_ops *ops;
+	void *state;			/* the transport's */
+	struct accel_transport_info info;
+	accel_message_fn message;	/* may be NULL */
+	void *message_data;
+	pthread_mutex_t lock;		/* protects references and calls of ops, but for wait */
+	unsigned int references;
+};
+
+struct accel_buffer {
+	struct accel_device *device;
+	uint64_t object;		/* of the transport */
+	uint64_t size;			/* bytes */
+};
+
+struct accel_target {
+	struct accel_device *device;
+	int width, height;		/* pixels, as asked for */
+	uint32_t pitch;			/* bytes from a row to the next, of both surfaces */
+	uint32_t rows;			/* height padded to ACCEL_TARGET_ALIGN */
+	struct accel_buffer *colour, *depth;
+};
+
+struct accel_state {
+	float modelview[16], projection[16];
+	struct {
+		int x, y, width, height;	/* width < 0: the whole target */
+	} viewport, scissor;			/* width < 0: no scissor */
+	float depth_near, depth_far;
+	enum accel_compare depth_func;
+	bool depth_write;
+	bool colour_mask[4];
+	enum accel_cull cull;
+	bool lighting, two_sided, local_viewer;
+	float ambient[4];
+	struct accel_material material[2];	/* front, back */
+	struct accel_light light[ACCEL_LIGHTS];
+	enum accel_shading shading;
+};
+
+/* device.c */
+struct accel_device *accel_device_ref(struct accel_device *device);
+void accel_device_unref(struct accel_device *device);
+/* Formats one line for the device's message function, if there is one. */
+void accel_device_message(struct accel_device *device, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
+
+#endif

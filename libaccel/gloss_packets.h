@@ -1,0 +1,919 @@
+/* SPDX-License-Identifier: MIT */
+/* Generated from rtl/gloss.xml by tools/hwgen; do not edit. */
+#ifndef GLOSS_PACKETS_H
+#define GLOSS_PACKETS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define GLOSS_VERSION 1u
+#define GLOSS_SLOTS 16u
+#define GLOSS_COUNTER_WORDS 4u
+#define GLOSS_COLOUR_FRACTION 22u
+#define GLOSS_DEPTH_FRACTION 12u
+#define GLOSS_DEPTH_COMPACT_SHIFT 6u
+#define GLOSS_ANCHOR_ALIGN 8u
+
+enum gloss_fault {
+	GLOSS_FAULT_NONE = 0,
+	GLOSS_FAULT_OPCODE = 1,
+	GLOSS_FAULT_LENGTH = 2,
+	GLOSS_FAULT_VALUE = 3,
+	GLOSS_FAULT_ORDER = 4,
+	GLOSS_FAULT_SLOT = 5,
+	GLOSS_FAULT_RESPONSE = 6,
+	GLOSS_FAULT_MEMORY = 7,
+};
+
+enum gloss_compare {
+	GLOSS_COMPARE_NEVER = 0,
+	GLOSS_COMPARE_LESS = 1,
+	GLOSS_COMPARE_EQUAL = 2,
+	GLOSS_COMPARE_LEQUAL = 3,
+	GLOSS_COMPARE_GREATER = 4,
+	GLOSS_COMPARE_NOTEQUAL = 5,
+	GLOSS_COMPARE_GEQUAL = 6,
+	GLOSS_COMPARE_ALWAYS = 7,
+};
+
+enum gloss_geometry {
+	GLOSS_GEOMETRY_WIDE = 0,
+	GLOSS_GEOMETRY_COMPACT = 1,
+	GLOSS_GEOMETRY_COVERING = 2,
+};
+
+enum gloss_shading {
+	GLOSS_SHADING_FLAT = 0,
+	GLOSS_SHADING_LINEAR = 1,
+	GLOSS_SHADING_SECOND_ORDER = 2,
+};
+
+enum gloss_tile_output {
+	GLOSS_TILE_OUTPUT_DROP = 0,
+	GLOSS_TILE_OUTPUT_STORE = 1,
+	GLOSS_TILE_OUTPUT_ANSWER = 2,
+};
+
+enum gloss_rights {
+	GLOSS_RIGHTS_NONE = 0,
+	GLOSS_RIGHTS_READ = 1,
+	GLOSS_RIGHTS_WRITE = 2,
+	GLOSS_RIGHTS_READ_WRITE = 3,
+};
+
+enum gloss_opcode {
+	GLOSS_OP_NOP = 0x00,
+	GLOSS_OP_WRITE_MEMORY = 0x01,
+	GLOSS_OP_READ_MEMORY = 0x02,
+	GLOSS_OP_COUNTERS = 0x03,
+	GLOSS_OP_COLOUR_SURFACE = 0x08,
+	GLOSS_OP_DEPTH_SURFACE = 0x09,
+	GLOSS_OP_TILE_BEGIN = 0x10,
+	GLOSS_OP_TILE_END = 0x11,
+	GLOSS_OP_DEPTH_STATE = 0x20,
+	GLOSS_OP_COLOUR_MASK = 0x21,
+	GLOSS_OP_SCISSOR = 0x22,
+	GLOSS_OP_TRIANGLE = 0x30,
+};
+
+/* A header: opcode in bits 31:24, payload length in words in bits 10:0, bits 23:11 the packet's own. */
+#define GLOSS_LENGTH_MAX 2047u
+
+static inline unsigned int gloss_header_opcode(uint32_t header)
+{
+	return header >> 24;
+}
+
+static inline unsigned int gloss_header_length(uint32_t header)
+{
+	return header & 0x7ffu;
+}
+
+#define GLOSS_EDGES_WIDE_WORDS 9
+struct gloss_edges_wide {
+	int32_t left_x;
+	int32_t left_step;
+	uint32_t left_r;
+	uint32_t left_m;
+	uint32_t left_dy;
+	uint32_t first_row;
+	uint32_t last_row;
+	int32_t right_x;
+	int32_t right_step;
+	uint32_t right_r;
+	uint32_t right_m;
+	uint32_t right_dy;
+	uint32_t switch_row;
+	uint32_t side;
+	int32_t middle_x;
+	int32_t middle_step;
+	uint32_t middle_r;
+	uint32_t middle_m;
+	uint32_t middle_dy;
+};
+
+static inline void gloss_edges_wide_pack(uint32_t *words, const struct gloss_edges_wide *p)
+{
+	words[0] = ((uint32_t)p->left_x & 0x1fffu) |
+		((uint32_t)p->left_step & 0x1fffu) << 16;
+	words[1] = ((uint32_t)p->left_r & 0xffffu) |
+		((uint32_t)p->left_m & 0xffffu) << 16;
+	words[2] = ((uint32_t)p->left_dy & 0xffffu) |
+		((uint32_t)p->first_row & 0x3fu) << 16 |
+		((uint32_t)p->last_row & 0x3fu) << 24;
+	words[3] = ((uint32_t)p->right_x & 0x1fffu) |
+		((uint32_t)p->right_step & 0x1fffu) << 16;
+	words[4] = ((uint32_t)p->right_r & 0xffffu) |
+		((uint32_t)p->right_m & 0xffffu) << 16;
+	words[5] = ((uint32_t)p->right_dy & 0xffffu) |
+		((uint32_t)p->switch_row & 0x3fu) << 16 |
+		((uint32_t)p->side & 0x1u) << 24;
+	words[6] = ((uint32_t)p->middle_x & 0x1fffu) |
+		((uint32_t)p->middle_step & 0x1fffu) << 16;
+	words[7] = ((uint32_t)p->middle_r & 0xffffu) |
+		((uint32_t)p->middle_m & 0xffffu) << 16;
+	words[8] = ((uint32_t)p->middle_dy & 0xffffu);
+}
+
+static inline void gloss_edges_wide_unpack(const uint32_t *words, struct gloss_edges_wide *p)
+{
+	p->left_x = (int32_t)(words[0] << 19) >> 19;
+	p->left_step = (int32_t)(words[0] << 3) >> 19;
+	p->left_r = words[1] & 0xffffu;
+	p->left_m = words[1] >> 16;
+	p->left_dy = words[2] & 0xffffu;
+	p->first_row = words[2] >> 16 & 0x3fu;
+	p->last_row = words[2] >> 24 & 0x3fu;
+	p->right_x = (int32_t)(words[3] << 19) >> 19;
+	p->right_step = (int32_t)(words[3] << 3) >> 19;
+	p->right_r = words[4] & 0xffffu;
+	p->right_m = words[4] >> 16;
+	p->right_dy = words[5] & 0xffffu;
+	p->switch_row = words[5] >> 16 & 0x3fu;
+	p->side = words[5] >> 24 & 0x1u;
+	p->middle_x = (int32_t)(words[6] << 19) >> 19;
+	p->middle_step = (int32_t)(words[6] << 3) >> 19;
+	p->middle_r = words[7] & 0xffffu;
+	p->middle_m = words[7] >> 16;
+	p->middle_dy = words[8] & 0xffffu;
+}
+
+/* Index of the first of the 9 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_edges_wide_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0xe000e000u))
+		return 0;
+	if ((words[2] & 0xc0c00000u))
+		return 2;
+	if ((words[3] & 0xe000e000u))
+		return 3;
+	if ((words[5] & 0xfec00000u))
+		return 5;
+	if ((words[6] & 0xe000e000u))
+		return 6;
+	if ((words[8] & 0xffff0000u))
+		return 8;
+	return -1;
+}
+
+#define GLOSS_EDGES_COMPACT_WORDS 6
+struct gloss_edges_compact {
+	uint32_t left_r;
+	uint32_t left_m;
+	uint32_t left_dy;
+	int32_t left_x;
+	int32_t left_step;
+	uint32_t first_row;
+	uint32_t last_row;
+	uint32_t right_r;
+	uint32_t right_m;
+	uint32_t right_dy;
+	int32_t right_x;
+	int32_t right_step;
+	uint32_t switch_row;
+	uint32_t side;
+	uint32_t middle_r;
+	uint32_t middle_m;
+	uint32_t middle_dy;
+	int32_t middle_x;
+	int32_t middle_step;
+};
+
+static inline void gloss_edges_compact_pack(uint32_t *words, const struct gloss_edges_compact *p)
+{
+	words[0] = ((uint32_t)p->left_r & 0x3ffu) |
+		((uint32_t)p->left_m & 0x3ffu) << 10 |
+		((uint32_t)p->left_dy & 0x3ffu) << 20;
+	words[1] = ((uint32_t)p->left_x & 0xffu) |
+		((uint32_t)p->left_step & 0xffu) << 8 |
+		((uint32_t)p->first_row & 0x3fu) << 16 |
+		((uint32_t)p->last_row & 0x3fu) << 24;
+	words[2] = ((uint32_t)p->right_r & 0x3ffu) |
+		((uint32_t)p->right_m & 0x3ffu) << 10 |
+		((uint32_t)p->right_dy & 0x3ffu) << 20;
+	words[3] = ((uint32_t)p->right_x & 0xffu) |
+		((uint32_t)p->right_step & 0xffu) << 8 |
+		((uint32_t)p->switch_row & 0x3fu) << 16 |
+		((uint32_t)p->side & 0x1u) << 24;
+	words[4] = ((uint32_t)p->middle_r & 0x3ffu) |
+		((uint32_t)p->middle_m & 0x3ffu) << 10 |
+		((uint32_t)p->middle_dy & 0x3ffu) << 20;
+	words[5] = ((uint32_t)p->middle_x & 0xffu) |
+		((uint32_t)p->middle_step & 0xffu) << 8;
+}
+
+static inline void gloss_edges_compact_unpack(const uint32_t *words, struct gloss_edges_compact *p)
+{
+	p->left_r = words[0] & 0x3ffu;
+	p->left_m = words[0] >> 10 & 0x3ffu;
+	p->left_dy = words[0] >> 20 & 0x3ffu;
+	p->left_x = (int32_t)(words[1] << 24) >> 24;
+	p->left_step = (int32_t)(words[1] << 16) >> 24;
+	p->first_row = words[1] >> 16 & 0x3fu;
+	p->last_row = words[1] >> 24 & 0x3fu;
+	p->right_r = words[2] & 0x3ffu;
+	p->right_m = words[2] >> 10 & 0x3ffu;
+	p->right_dy = words[2] >> 20 & 0x3ffu;
+	p->right_x = (int32_t)(words[3] << 24) >> 24;
+	p->right_step = (int32_t)(words[3] << 16) >> 24;
+	p->switch_row = words[3] >> 16 & 0x3fu;
+	p->side = words[3] >> 24 & 0x1u;
+	p->middle_r = words[4] & 0x3ffu;
+	p->middle_m = words[4] >> 10 & 0x3ffu;
+	p->middle_dy = words[4] >> 20 & 0x3ffu;
+	p->middle_x = (int32_t)(words[5] << 24) >> 24;
+	p->middle_step = (int32_t)(words[5] << 16) >> 24;
+}
+
+/* Index of the first of the 6 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_edges_compact_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0xc0000000u))
+		return 0;
+	if ((words[1] & 0xc0c00000u))
+		return 1;
+	if ((words[2] & 0xc0000000u))
+		return 2;
+	if ((words[3] & 0xfec00000u))
+		return 3;
+	if ((words[4] & 0xc0000000u))
+		return 4;
+	if ((words[5] & 0xffff0000u))
+		return 5;
+	return -1;
+}
+
+#define GLOSS_DEPTH_WIDE_WORDS 4
+struct gloss_depth_wide {
+	uint32_t z;
+	uint32_t dx;
+	uint32_t dy;
+	uint32_t z_high;
+	uint32_t dx_high;
+	uint32_t dy_high;
+};
+
+static inline void gloss_depth_wide_pack(uint32_t *words, const struct gloss_depth_wide *p)
+{
+	words[0] = (uint32_t)p->z;
+	words[1] = (uint32_t)p->dx;
+	words[2] = (uint32_t)p->dy;
+	words[3] = ((uint32_t)p->z_high & 0xffu) |
+		((uint32_t)p->dx_high & 0xffu) << 8 |
+		((uint32_t)p->dy_high & 0xffu) << 16;
+}
+
+static inline void gloss_depth_wide_unpack(const uint32_t *words, struct gloss_depth_wide *p)
+{
+	p->z = words[0];
+	p->dx = words[1];
+	p->dy = words[2];
+	p->z_high = words[3] & 0xffu;
+	p->dx_high = words[3] >> 8 & 0xffu;
+	p->dy_high = words[3] >> 16 & 0xffu;
+}
+
+/* Index of the first of the 4 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_depth_wide_invalid(const uint32_t *words)
+{
+	if ((words[3] & 0xff000000u))
+		return 3;
+	return -1;
+}
+
+#define GLOSS_DEPTH_COMPACT_WORDS 3
+struct gloss_depth_compact {
+	int32_t z;
+	int32_t dx;
+	int32_t dy;
+};
+
+static inline void gloss_depth_compact_pack(uint32_t *words, const struct gloss_depth_compact *p)
+{
+	words[0] = (uint32_t)p->z;
+	words[1] = (uint32_t)p->dx;
+	words[2] = (uint32_t)p->dy;
+}
+
+static inline void gloss_depth_compact_unpack(const uint32_t *words, struct gloss_depth_compact *p)
+{
+	p->z = (int32_t)words[0];
+	p->dx = (int32_t)words[1];
+	p->dy = (int32_t)words[2];
+}
+
+/* Index of the first of the 3 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_depth_compact_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+#define GLOSS_ALPHA_LINEAR_WORDS 3
+struct gloss_alpha_linear {
+	uint32_t a;
+	uint32_t a_dx;
+	uint32_t a_dy;
+};
+
+static inline void gloss_alpha_linear_pack(uint32_t *words, const struct gloss_alpha_linear *p)
+{
+	words[0] = (uint32_t)p->a;
+	words[1] = (uint32_t)p->a_dx;
+	words[2] = (uint32_t)p->a_dy;
+}
+
+static inline void gloss_alpha_linear_unpack(const uint32_t *words, struct gloss_alpha_linear *p)
+{
+	p->a = words[0];
+	p->a_dx = words[1];
+	p->a_dy = words[2];
+}
+
+/* Index of the first of the 3 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_alpha_linear_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+#define GLOSS_COLOUR_FLAT_WORDS 1
+struct gloss_colour_flat {
+	uint32_t red;
+	uint32_t green;
+	uint32_t blue;
+};
+
+static inline void gloss_colour_flat_pack(uint32_t *words, const struct gloss_colour_flat *p)
+{
+	words[0] = ((uint32_t)p->red & 0xffu) |
+		((uint32_t)p->green & 0xffu) << 8 |
+		((uint32_t)p->blue & 0xffu) << 16;
+}
+
+static inline void gloss_colour_flat_unpack(const uint32_t *words, struct gloss_colour_flat *p)
+{
+	p->red = words[0] & 0xffu;
+	p->green = words[0] >> 8 & 0xffu;
+	p->blue = words[0] >> 16 & 0xffu;
+}
+
+/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_colour_flat_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0xff000000u))
+		return 0;
+	return -1;
+}
+
+#define GLOSS_COLOUR_LINEAR_WORDS 9
+struct gloss_colour_linear {
+	uint32_t red;
+	uint32_t red_dx;
+	uint32_t red_dy;
+	uint32_t green;
+	uint32_t green_dx;
+	uint32_t green_dy;
+	uint32_t blue;
+	uint32_t blue_dx;
+	uint32_t blue_dy;
+};
+
+static inline void gloss_colour_linear_pack(uint32_t *words, const struct gloss_colour_linear *p)
+{
+	words[0] = (uint32_t)p->red;
+	words[1] = (uint32_t)p->red_dx;
+	words[2] = (uint32_t)p->red_dy;
+	words[3] = (uint32_t)p->green;
+	words[4] = (uint32_t)p->green_dx;
+	words[5] = (uint32_t)p->green_dy;
+	words[6] = (uint32_t)p->blue;
+	words[7] = (uint32_t)p->blue_dx;
+	words[8] = (uint32_t)p->blue_dy;
+}
+
+static inline void gloss_colour_linear_unpack(const uint32_t *words, struct gloss_colour_linear *p)
+{
+	p->red = words[0];
+	p->red_dx = words[1];
+	p->red_dy = words[2];
+	p->green = words[3];
+	p->green_dx = words[4];
+	p->green_dy = words[5];
+	p->blue = words[6];
+	p->blue_dx = words[7];
+	p->blue_dy = words[8];
+}
+
+/* Index of the first of the 9 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_colour_linear_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+#define GLOSS_COLOUR_SECOND_ORDER_WORDS 18
+struct gloss_colour_second_order {
+	uint32_t red;
+	uint32_t red_dx;
+	uint32_t red_dy;
+	uint32_t red_dxx;
+	uint32_t red_dxy;
+	uint32_t red_dyy;
+	uint32_t green;
+	uint32_t green_dx;
+	uint32_t green_dy;
+	uint32_t green_dxx;
+	uint32_t green_dxy;
+	uint32_t green_dyy;
+	uint32_t blue;
+	uint32_t blue_dx;
+	uint32_t blue_dy;
+	uint32_t blue_dxx;
+	uint32_t blue_dxy;
+	uint32_t blue_dyy;
+};
+
+static inline void gloss_colour_second_order_pack(uint32_t *words, const struct gloss_colour_second_order *p)
+{
+	words[0] = (uint32_t)p->red;
+	words[1] = (uint32_t)p->red_dx;
+	words[2] = (uint32_t)p->red_dy;
+	words[3] = (uint32_t)p->red_dxx;
+	words[4] = (uint32_t)p->red_dxy;
+	words[5] = (uint32_t)p->red_dyy;
+	words[6] = (uint32_t)p->green;
+	words[7] = (uint32_t)p->green_dx;
+	words[8] = (uint32_t)p->green_dy;
+	words[9] = (uint32_t)p->green_dxx;
+	words[10] = (uint32_t)p->green_dxy;
+	words[11] = (uint32_t)p->green_dyy;
+	words[12] = (uint32_t)p->blue;
+	words[13] = (uint32_t)p->blue_dx;
+	words[14] = (uint32_t)p->blue_dy;
+	words[15] = (uint32_t)p->blue_dxx;
+	words[16] = (uint32_t)p->blue_dxy;
+	words[17] = (uint32_t)p->blue_dyy;
+}
+
+static inline void gloss_colour_second_order_unpack(const uint32_t *words, struct gloss_colour_second_order *p)
+{
+	p->red = words[0];
+	p->red_dx = words[1];
+	p->red_dy = words[2];
+	p->red_dxx = words[3];
+	p->red_dxy = words[4];
+	p->red_dyy = words[5];
+	p->green = words[6];
+	p->green_dx = words[7];
+	p->green_dy = words[8];
+	p->green_dxx = words[9];
+	p->green_dxy = words[10];
+	p->green_dyy = words[11];
+	p->blue = words[12];
+	p->blue_dx = words[13];
+	p->blue_dy = words[14];
+	p->blue_dxx = words[15];
+	p->blue_dxy = words[16];
+	p->blue_dyy = words[17];
+}
+
+/* Index of the first of the 18 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_colour_second_order_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* Writes the header. */
+static inline void gloss_nop_pack(uint32_t *words, uint32_t length)
+{
+	words[0] = (uint32_t)GLOSS_OP_NOP << 24 | length;
+}
+
+#define GLOSS_WRITE_MEMORY_WORDS 2
+struct gloss_write_memory {
+	uint32_t slot;
+	uint32_t offset;
+};
+
+/* Writes the header and the 2 words after it. */
+static inline void gloss_write_memory_pack(uint32_t *words, const struct gloss_write_memory *p, uint32_t length)
+{
+	words[0] = (uint32_t)GLOSS_OP_WRITE_MEMORY << 24 | length;
+	words[1] = ((uint32_t)p->slot & 0xfu);
+	words[2] = (uint32_t)p->offset;
+}
+
+/* @words starts at the header. */
+static inline void gloss_write_memory_unpack(const uint32_t *words, struct gloss_write_memory *p)
+{
+	p->slot = words[1] & 0xfu;
+	p->offset = words[2];
+}
+
+/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_write_memory_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0xfffffff0u))
+		return 0;
+	return -1;
+}
+
+#define GLOSS_READ_MEMORY_WORDS 2
+struct gloss_read_memory {
+	uint32_t slot;
+	uint32_t count;
+	uint32_t offset;
+};
+
+/* Writes the header and the 2 words after it. */
+static inline void gloss_read_memory_pack(uint32_t *words, const struct gloss_read_memory *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_READ_MEMORY << 24 | GLOSS_READ_MEMORY_WORDS;
+	words[1] = ((uint32_t)p->slot & 0xfu) |
+		((uint32_t)p->count & 0xffffu) << 16;
+	words[2] = (uint32_t)p->offset;
+}
+
+/* @words starts at the header. */
+static inline void gloss_read_memory_unpack(const uint32_t *words, struct gloss_read_memory *p)
+{
+	p->slot = words[1] & 0xfu;
+	p->count = words[1] >> 16;
+	p->offset = words[2];
+}
+
+/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_read_memory_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
+		return 0;
+	return -1;
+}
+
+#define GLOSS_COUNTERS_WORDS 0
+/* Writes the header. */
+static inline void gloss_counters_pack(uint32_t *words)
+{
+	words[0] = (uint32_t)GLOSS_OP_COUNTERS << 24 | GLOSS_COUNTERS_WORDS;
+}
+
+#define GLOSS_COLOUR_SURFACE_WORDS 1
+struct gloss_colour_surface {
+	uint32_t slot;
+	uint32_t pitch;
+};
+
+/* Writes the header and the 1 words after it. */
+static inline void gloss_colour_surface_pack(uint32_t *words, const struct gloss_colour_surface *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_COLOUR_SURFACE << 24 | GLOSS_COLOUR_SURFACE_WORDS;
+	words[1] = ((uint32_t)p->slot & 0xfu) |
+		((uint32_t)p->pitch & 0xffffu) << 16;
+}
+
+/* @words starts at the header. */
+static inline void gloss_colour_surface_unpack(const uint32_t *words, struct gloss_colour_surface *p)
+{
+	p->slot = words[1] & 0xfu;
+	p->pitch = words[1] >> 16;
+}
+
+/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_colour_surface_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
+		return 0;
+	return -1;
+}
+
+#define GLOSS_DEPTH_SURFACE_WORDS 1
+struct gloss_depth_surface {
+	uint32_t slot;
+	uint32_t pitch;
+};
+
+/* Writes the header and the 1 words after it. */
+static inline void gloss_depth_surface_pack(uint32_t *words, const struct gloss_depth_surface *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_DEPTH_SURFACE << 24 | GLOSS_DEPTH_SURFACE_WORDS;
+	words[1] = ((uint32_t)p->slot & 0xfu) |
+		((uint32_t)p->pitch & 0xffffu) << 16;
+}
+
+/* @words starts at the header. */
+static inline void gloss_depth_surface_unpack(const uint32_t *words, struct gloss_depth_surface *p)
+{
+	p->slot = words[1] & 0xfu;
+	p->pitch = words[1] >> 16;
+}
+
+/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_depth_surface_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
+		return 0;
+	return -1;
+}
+
+#define GLOSS_TILE_BEGIN_WORDS 2
+struct gloss_tile_begin {
+	bool colour_load;
+	bool depth_load;
+	uint32_t colour;
+	uint32_t depth;
+};
+
+/* Writes the header and the 2 words after it. */
+static inline void gloss_tile_begin_pack(uint32_t *words, const struct gloss_tile_begin *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_TILE_BEGIN << 24 | GLOSS_TILE_BEGIN_WORDS |
+		((uint32_t)p->colour_load & 0x1u) << 11 |
+		((uint32_t)p->depth_load & 0x1u) << 12;
+	words[1] = (uint32_t)p->colour;
+	words[2] = (uint32_t)p->depth;
+}
+
+/* @words starts at the header. */
+static inline void gloss_tile_begin_unpack(const uint32_t *words, struct gloss_tile_begin *p)
+{
+	p->colour_load = (words[0] >> 11 & 0x1u) != 0;
+	p->depth_load = (words[0] >> 12 & 0x1u) != 0;
+	p->colour = words[1];
+	p->depth = words[2];
+}
+
+/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_tile_begin_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+#define GLOSS_TILE_END_WORDS 2
+struct gloss_tile_end {
+	enum gloss_tile_output colour_output;
+	enum gloss_tile_output depth_output;
+	uint32_t colour;
+	uint32_t depth;
+};
+
+/* Writes the header and the 2 words after it. */
+static inline void gloss_tile_end_pack(uint32_t *words, const struct gloss_tile_end *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_TILE_END << 24 | GLOSS_TILE_END_WORDS |
+		((uint32_t)p->colour_output & 0x3u) << 11 |
+		((uint32_t)p->depth_output & 0x3u) << 13;
+	words[1] = (uint32_t)p->colour;
+	words[2] = (uint32_t)p->depth;
+}
+
+/* @words starts at the header. */
+static inline void gloss_tile_end_unpack(const uint32_t *words, struct gloss_tile_end *p)
+{
+	p->colour_output = (enum gloss_tile_output)(words[0] >> 11 & 0x3u);
+	p->depth_output = (enum gloss_tile_output)(words[0] >> 13 & 0x3u);
+	p->colour = words[1];
+	p->depth = words[2];
+}
+
+/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_tile_end_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+#define GLOSS_DEPTH_STATE_WORDS 0
+struct gloss_depth_state {
+	enum gloss_compare func;
+	bool write;
+};
+
+/* Writes the header. */
+static inline void gloss_depth_state_pack(uint32_t *words, const struct gloss_depth_state *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_DEPTH_STATE << 24 | GLOSS_DEPTH_STATE_WORDS |
+		((uint32_t)p->func & 0x7u) << 11 |
+		((uint32_t)p->write & 0x1u) << 14;
+}
+
+/* @words starts at the header. */
+static inline void gloss_depth_state_unpack(const uint32_t *words, struct gloss_depth_state *p)
+{
+	p->func = (enum gloss_compare)(words[0] >> 11 & 0x7u);
+	p->write = (words[0] >> 14 & 0x1u) != 0;
+}
+
+#define GLOSS_COLOUR_MASK_WORDS 0
+struct gloss_colour_mask {
+	bool red;
+	bool green;
+	bool blue;
+	bool alpha;
+};
+
+/* Writes the header. */
+static inline void gloss_colour_mask_pack(uint32_t *words, const struct gloss_colour_mask *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_COLOUR_MASK << 24 | GLOSS_COLOUR_MASK_WORDS |
+		((uint32_t)p->red & 0x1u) << 11 |
+		((uint32_t)p->green & 0x1u) << 12 |
+		((uint32_t)p->blue & 0x1u) << 13 |
+		((uint32_t)p->alpha & 0x1u) << 14;
+}
+
+/* @words starts at the header. */
+static inline void gloss_colour_mask_unpack(const uint32_t *words, struct gloss_colour_mask *p)
+{
+	p->red = (words[0] >> 11 & 0x1u) != 0;
+	p->green = (words[0] >> 12 & 0x1u) != 0;
+	p->blue = (words[0] >> 13 & 0x1u) != 0;
+	p->alpha = (words[0] >> 14 & 0x1u) != 0;
+}
+
+#define GLOSS_SCISSOR_WORDS 1
+struct gloss_scissor {
+	uint32_t x0;
+	uint32_t y0;
+	uint32_t x1;
+	uint32_t y1;
+};
+
+/* Writes the header and the 1 words after it. */
+static inline void gloss_scissor_pack(uint32_t *words, const struct gloss_scissor *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_SCISSOR << 24 | GLOSS_SCISSOR_WORDS;
+	words[1] = ((uint32_t)p->x0 & 0x7fu) |
+		((uint32_t)p->y0 & 0x7fu) << 8 |
+		((uint32_t)p->x1 & 0x7fu) << 16 |
+		((uint32_t)p->y1 & 0x7fu) << 24;
+}
+
+/* @words starts at the header. */
+static inline void gloss_scissor_unpack(const uint32_t *words, struct gloss_scissor *p)
+{
+	p->x0 = words[1] & 0x7fu;
+	p->y0 = words[1] >> 8 & 0x7fu;
+	p->x1 = words[1] >> 16 & 0x7fu;
+	p->y1 = words[1] >> 24 & 0x7fu;
+}
+
+/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+static inline int gloss_scissor_invalid(const uint32_t *words)
+{
+	if ((words[0] & 0x80808080u))
+		return 0;
+	return -1;
+}
+
+struct gloss_triangle {
+	enum gloss_geometry geometry;
+	enum gloss_shading shading;
+	bool alpha_linear;
+	uint32_t alpha;
+};
+
+/* Payload words of a triangle with this header. */
+static inline uint32_t gloss_triangle_length(const struct gloss_triangle *p)
+{
+	uint32_t length = 0;
+
+	if (p->geometry == GLOSS_GEOMETRY_WIDE)
+		length += GLOSS_EDGES_WIDE_WORDS;
+	if (p->geometry == GLOSS_GEOMETRY_COMPACT)
+		length += GLOSS_EDGES_COMPACT_WORDS;
+	if (p->geometry == GLOSS_GEOMETRY_WIDE)
+		length += GLOSS_DEPTH_WIDE_WORDS;
+	if (p->geometry == GLOSS_GEOMETRY_COMPACT)
+		length += GLOSS_DEPTH_COMPACT_WORDS;
+	if (p->geometry == GLOSS_GEOMETRY_COVERING)
+		length += GLOSS_DEPTH_WIDE_WORDS;
+	if (p->alpha_linear == 1)
+		length += GLOSS_ALPHA_LINEAR_WORDS;
+	if (p->shading == GLOSS_SHADING_FLAT)
+		length += GLOSS_COLOUR_FLAT_WORDS;
+	if (p->shading == GLOSS_SHADING_LINEAR)
+		length += GLOSS_COLOUR_LINEAR_WORDS;
+	if (p->shading == GLOSS_SHADING_SECOND_ORDER)
+		length += GLOSS_COLOUR_SECOND_ORDER_WORDS;
+	return length;
+}
+
+/* Writes the header. */
+static inline void gloss_triangle_pack(uint32_t *words, const struct gloss_triangle *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_TRIANGLE << 24 | gloss_triangle_length(p) |
+		((uint32_t)p->geometry & 0x3u) << 11 |
+		((uint32_t)p->shading & 0x3u) << 13 |
+		((uint32_t)p->alpha_linear & 0x1u) << 15 |
+		((uint32_t)p->alpha & 0xffu) << 16;
+}
+
+/* @words starts at the header. */
+static inline void gloss_triangle_unpack(const uint32_t *words, struct gloss_triangle *p)
+{
+	p->geometry = (enum gloss_geometry)(words[0] >> 11 & 0x3u);
+	p->shading = (enum gloss_shading)(words[0] >> 13 & 0x3u);
+	p->alpha_linear = (words[0] >> 15 & 0x1u) != 0;
+	p->alpha = words[0] >> 16 & 0xffu;
+}
+
+#define GLOSS_STATUS_WORDS 3
+struct gloss_status {
+	enum gloss_fault cause;
+	uint32_t offset;
+	uint32_t response_words;
+};
+
+static inline void gloss_status_pack(uint32_t *words, const struct gloss_status *p)
+{
+	words[0] = ((uint32_t)p->cause & 0xfu);
+	words[1] = (uint32_t)p->offset;
+	words[2] = (uint32_t)p->response_words;
+}
+
+static inline void gloss_status_unpack(const uint32_t *words, struct gloss_status *p)
+{
+	p->cause = (enum gloss_fault)(words[0] & 0xfu);
+	p->offset = words[1];
+	p->response_words = words[2];
+}
+
+/* Is the opcode known? */
+static inline bool gloss_opcode_known(unsigned int opcode)
+{
+	switch (opcode) {
+	case GLOSS_OP_NOP:
+	case GLOSS_OP_WRITE_MEMORY:
+	case GLOSS_OP_READ_MEMORY:
+	case GLOSS_OP_COUNTERS:
+	case GLOSS_OP_COLOUR_SURFACE:
+	case GLOSS_OP_DEPTH_SURFACE:
+	case GLOSS_OP_TILE_BEGIN:
+	case GLOSS_OP_TILE_END:
+	case GLOSS_OP_DEPTH_STATE:
+	case GLOSS_OP_COLOUR_MASK:
+	case GLOSS_OP_SCISSOR:
+	case GLOSS_OP_TRIANGLE:
+		return true;
+	default:
+		return false;
+	}
+}
+
+/* Are the header's reserved bits zero and its enums in range? The opcode is a known one. */
+static inline bool gloss_header_valid(uint32_t header)
+{
+	switch (gloss_header_opcode(header)) {
+	case GLOSS_OP_NOP:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_WRITE_MEMORY:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_READ_MEMORY:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_COUNTERS:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_COLOUR_SURFACE:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_DEPTH_SURFACE:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_TILE_BEGIN:
+		return !((header & 0x00ffe000u));
+	case GLOSS_OP_TILE_END:
+		return !((header & 0x00ff8000u) || (header >> 11 & 0x3u) > 2 || (header >> 13 & 0x3u) > 2);
+	case GLOSS_OP_DEPTH_STATE:
+		return !((header & 0x00ff8000u));
+	case GLOSS_OP_COLOUR_MASK:
+		return !((header & 0x00ff8000u));
+	case GLOSS_OP_SCISSOR:
+		return !((header & 0x00fff800u));
+	case GLOSS_OP_TRIANGLE:
+		return !((header >> 11 & 0x3u) > 2 || (header >> 13 & 0x3u) > 2);
+	default:
+		return false;
+	}
+}
+
+#endif

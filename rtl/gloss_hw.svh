@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated from rtl/gloss.xml by tools/hwgen; do not edit. Included in gloss_pkg.
+
+  localparam int unsigned Version = 1;
+  localparam int unsigned Slots = 16;
+  localparam int unsigned CounterWords = 4;
+  localparam int unsigned ColourFraction = 22;
+  localparam int unsigned DepthFraction = 12;
+  localparam int unsigned DepthCompactShift = 6;
+  localparam int unsigned AnchorAlign = 8;
+
+  localparam logic [3:0] FAULT_NONE = 4'd0;
+  localparam logic [3:0] FAULT_OPCODE = 4'd1;
+  localparam logic [3:0] FAULT_LENGTH = 4'd2;
+  localparam logic [3:0] FAULT_VALUE = 4'd3;
+  localparam logic [3:0] FAULT_ORDER = 4'd4;
+  localparam logic [3:0] FAULT_SLOT = 4'd5;
+  localparam logic [3:0] FAULT_RESPONSE = 4'd6;
+  localparam logic [3:0] FAULT_MEMORY = 4'd7;
+
+  localparam logic [2:0] COMPARE_NEVER = 3'd0;
+  localparam logic [2:0] COMPARE_LESS = 3'd1;
+  localparam logic [2:0] COMPARE_EQUAL = 3'd2;
+  localparam logic [2:0] COMPARE_LEQUAL = 3'd3;
+  localparam logic [2:0] COMPARE_GREATER = 3'd4;
+  localparam logic [2:0] COMPARE_NOTEQUAL = 3'd5;
+  localparam logic [2:0] COMPARE_GEQUAL = 3'd6;
+  localparam logic [2:0] COMPARE_ALWAYS = 3'd7;
+
+  localparam logic [1:0] GEOMETRY_WIDE = 2'd0;
+  localparam logic [1:0] GEOMETRY_COMPACT = 2'd1;
+  localparam logic [1:0] GEOMETRY_COVERING = 2'd2;
+
+  localparam logic [1:0] SHADING_FLAT = 2'd0;
+  localparam logic [1:0] SHADING_LINEAR = 2'd1;
+  localparam logic [1:0] SHADING_SECOND_ORDER = 2'd2;
+
+  localparam logic [1:0] TILE_OUTPUT_DROP = 2'd0;
+  localparam logic [1:0] TILE_OUTPUT_STORE = 2'd1;
+  localparam logic [1:0] TILE_OUTPUT_ANSWER = 2'd2;
+
+  localparam logic [1:0] RIGHTS_NONE = 2'd0;
+  localparam logic [1:0] RIGHTS_READ = 2'd1;
+  localparam logic [1:0] RIGHTS_WRITE = 2'd2;
+  localparam logic [1:0] RIGHTS_READ_WRITE = 2'd3;
+
+  localparam logic [7:0] OP_NOP = 8'h00;
+  localparam logic [7:0] OP_WRITE_MEMORY = 8'h01;
+  localparam logic [7:0] OP_READ_MEMORY = 8'h02;
+  localparam logic [7:0] OP_COUNTERS = 8'h03;
+  localparam logic [7:0] OP_COLOUR_SURFACE = 8'h08;
+  localparam logic [7:0] OP_DEPTH_SURFACE = 8'h09;
+  localparam logic [7:0] OP_TILE_BEGIN = 8'h10;
+  localparam logic [7:0] OP_TILE_END = 8'h11;
+  localparam logic [7:0] OP_DEPTH_STATE = 8'h20;
+  localparam logic [7:0] OP_COLOUR_MASK = 8'h21;
+  localparam logic [7:0] OP_SCISSOR = 8'h22;
+  localparam logic [7:0] OP_TRIANGLE = 8'h30;
+
+  localparam logic [10:0] READ_MEMORY_WORDS = 11'd2;
+  localparam logic [10:0] COUNTERS_WORDS = 11'd0;
+  localparam logic [10:0] COLOUR_SURFACE_WORDS = 11'd1;
+  localparam logic [10:0] DEPTH_SURFACE_WORDS = 11'd1;
+  localparam logic [10:0] TILE_BEGIN_WORDS = 11'd2;
+  localparam logic [10:0] TILE_END_WORDS = 11'd2;
+  localparam logic [10:0] DEPTH_STATE_WORDS = 11'd0;
+  localparam logic [10:0] COLOUR_MASK_WORDS = 11'd0;
+  localparam logic [10:0] SCISSOR_WORDS = 11'd1;
+  localparam logic [10:0] EDGES_WIDE_WORDS = 11'd9;
+  localparam logic [10:0] EDGES_COMPACT_WORDS = 11'd6;
+  localparam logic [10:0] DEPTH_WIDE_WORDS = 11'd4;
+  localparam logic [10:0] DEPTH_COMPACT_WORDS = 11'd3;
+  localparam logic [10:0] ALPHA_LINEAR_WORDS = 11'd3;
+  localparam logic [10:0] COLOUR_FLAT_WORDS = 11'd1;
+  localparam logic [10:0] COLOUR_LINEAR_WORDS = 11'd9;
+  localparam logic [10:0] COLOUR_SECOND_ORDER_WORDS = 11'd18;
+
+  // Packed structs: word 0 of a group or payload is bits 31:0 of its struct.
+
+  typedef struct packed {
+    logic [15:0] reserved_0;
+    logic [15:0] middle_dy;
+    logic [15:0] middle_m;
+    logic [15:0] middle_r;
+    logic [2:0] reserved_1;
+    logic signed [12:0] middle_step;
+    logic [2:0] reserved_2;
+    logic signed [12:0] middle_x;
+    logic [6:0] reserved_3;
+    logic side;
+    logic [1:0] reserved_4;
+    logic [5:0] switch_row;
+    logic [15:0] right_dy;
+    logic [15:0] right_m;
+    logic [15:0] right_r;
+    logic [2:0] reserved_5;
+    logic signed [12:0] right_step;
+    logic [2:0] reserved_6;
+    logic signed [12:0] right_x;
+    logic [1:0] reserved_7;
+    logic [5:0] last_row;
+    logic [1:0] reserved_8;
+    logic [5:0] first_row;
+    logic [15:0] left_dy;
+    logic [15:0] left_m;
+    logic [15:0] left_r;
+    logic [2:0] reserved_9;
+    logic signed [12:0] left_step;
+    logic [2:0] reserved_10;
+    logic signed [12:0] left_x;
+  } edges_wide_t;
+  localparam logic [287:0] EDGES_WIDE_RESERVED = 288'hffff000000000000e000e000fec0000000000000e000e000c0c0000000000000e000e000;
+
+  typedef struct packed {
+    logic [15:0] reserved_0;
+    logic signed [7:0] middle_step;
+    logic signed [7:0] middle_x;
+    logic [1:0] reserved_1;
+    logic [9:0] middle_dy;
+    logic [9:0] middle_m;
+    logic [9:0] middle_r;
+    logic [6:0] reserved_2;
+    logic side;
+    logic [1:0] reserved_3;
+    logic [5:0] switch_row;
+    logic signed [7:0] right_step;
+    logic signed [7:0] right_x;
+    logic [1:0] reserved_4;
+    logic [9:0] right_dy;
+    logic [9:0] right_m;
+    logic [9:0] right_r;
+    logic [1:0] reserved_5;
+    logic [5:0] last_row;
+    logic [1:0] reserved_6;
+    logic [5:0] first_row;
+    logic signed [7:0] left_step;
+    logic signed [7:0] left_x;
+    logic [1:0] reserved_7;
+    logic [9:0] left_dy;
+    logic [9:0] left_m;
+    logic [9:0] left_r;
+  } edges_compact_t;
+  localparam logic [191:0] EDGES_COMPACT_RESERVED = 192'hffff0000c0000000fec00000c0000000c0c00000c0000000;
+
+  typedef struct packed {
+    logic [7:0] reserved_0;
+    logic [7:0] dy_high;
+    logic [7:0] dx_high;
+    logic [7:0] z_high;
+    logic [31:0] dy;
+    logic [31:0] dx;
+    logic [31:0] z;
+  } depth_wide_t;
+  localparam logic [127:0] DEPTH_WIDE_RESERVED = 128'hff000000000000000000000000000000;
+
+  typedef struct packed {
+    logic signed [31:0] dy;
+    logic signed [31:0] dx;
+    logic signed [31:0] z;
+  } depth_compact_t;
+  localparam logic [95:0] DEPTH_COMPACT_RESERVED = 96'h000000000000000000000000;
+
+  typedef struct packed {
+    logic [31:0] a_dy;
+    logic [31:0] a_dx;
+    logic [31:0] a;
+  } alpha_linear_t;
+  localparam logic [95:0] ALPHA_LINEAR_RESERVED = 96'h000000000000000000000000;
+
+  typedef struct packed {
+    logic [7:0] reserved_0;
+    logic [7:0] blue;
+    logic [7:0] green;
+    logic [7:0] red;
+  } colour_flat_t;
+  localparam logic [31:0] COLOUR_FLAT_RESERVED = 32'hff000000;
+
+  typedef struct packed {
+    logic [31:0] blue_dy;
+    logic [31:0] blue_dx;
+    logic [31:0] blue;
+    logic [31:0] green_dy;
+    logic [31:0] green_dx;
+    logic [31:0] green;
+    logic [31:0] red_dy;
+    logic [31:0] red_dx;
+    logic [31:0] red;
+  } colour_linear_t;
+  localparam logic [287:0] COLOUR_LINEAR_RESERVED = 288'h000000000000000000000000000000000000000000000000000000000000000000000000;
+
+  typedef struct packed {
+    logic [31:0] blue_dyy;
+    logic [31:0] blue_dxy;
+    logic [31:0] blue_dxx;
+    logic [31:0] blue_dy;
+    logic [31:0] blue_dx;
+    logic [31:0] blue;
+    logic [31:0] green_dyy;
+    logic [31:0] green_dxy;
+    logic [31:0] green_dxx;
+    logic [31:0] green_dy;
+    logic [31:0] green_dx;
+    logic [31:0] green;
+    logic [31:0] red_dyy;
+    logic [31:0] red_dxy;
+    logic [31:0] red_dxx;
+    logic [31:0] red_dy;
+    logic [31:0] red_dx;
+    logic [31:0] red;
+  } colour_second_order_t;
+  localparam logic [575:0] COLOUR_SECOND_ORDER_RESERVED = 576'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } nop_header_t;
+  localparam logic [31:0] NOP_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } write_memory_header_t;
+  localparam logic [31:0] WRITE_MEMORY_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [31:0] offset;
+    logic [27:0] reserved_0;
+    logic [3:0] slot;
+  } write_memory_t;
+  localparam logic [63:0] WRITE_MEMORY_RESERVED = 64'h00000000fffffff0;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } read_memory_header_t;
+  localparam logic [31:0] READ_MEMORY_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [31:0] offset;
+    logic [15:0] count;
+    logic [11:0] reserved_0;
+    logic [3:0] slot;
+  } read_memory_t;
+  localparam logic [63:0] READ_MEMORY_RESERVED = 64'h000000000000fff0;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } counters_header_t;
+  localparam logic [31:0] COUNTERS_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } colour_surface_header_t;
+  localparam logic [31:0] COLOUR_SURFACE_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [15:0] pitch;
+    logic [11:0] reserved_0;
+    logic [3:0] slot;
+  } colour_surface_t;
+  localparam logic [31:0] COLOUR_SURFACE_RESERVED = 32'h0000fff0;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } depth_surface_header_t;
+  localparam logic [31:0] DEPTH_SURFACE_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [15:0] pitch;
+    logic [11:0] reserved_0;
+    logic [3:0] slot;
+  } depth_surface_t;
+  localparam logic [31:0] DEPTH_SURFACE_RESERVED = 32'h0000fff0;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [10:0] reserved_0;
+    logic depth_load;
+    logic colour_load;
+    logic [10:0] length;
+  } tile_begin_header_t;
+  localparam logic [31:0] TILE_BEGIN_HEADER_RESERVED = 32'h00ffe000;
+
+  typedef struct packed {
+    logic [31:0] depth;
+    logic [31:0] colour;
+  } tile_begin_t;
+  localparam logic [63:0] TILE_BEGIN_RESERVED = 64'h0000000000000000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [8:0] reserved_0;
+    logic [1:0] depth_output;
+    logic [1:0] colour_output;
+    logic [10:0] length;
+  } tile_end_header_t;
+  localparam logic [31:0] TILE_END_HEADER_RESERVED = 32'h00ff8000;
+
+  typedef struct packed {
+    logic [31:0] depth;
+    logic [31:0] colour;
+  } tile_end_t;
+  localparam logic [63:0] TILE_END_RESERVED = 64'h0000000000000000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [8:0] reserved_0;
+    logic write;
+    logic [2:0] func;
+    logic [10:0] length;
+  } depth_state_header_t;
+  localparam logic [31:0] DEPTH_STATE_HEADER_RESERVED = 32'h00ff8000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [8:0] reserved_0;
+    logic alpha;
+    logic blue;
+    logic green;
+    logic red;
+    logic [10:0] length;
+  } colour_mask_header_t;
+  localparam logic [31:0] COLOUR_MASK_HEADER_RESERVED = 32'h00ff8000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } scissor_header_t;
+  localparam logic [31:0] SCISSOR_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic reserved_0;
+    logic [6:0] y1;
+    logic reserved_1;
+    logic [6:0] x1;
+    logic reserved_2;
+    logic [6:0] y0;
+    logic reserved_3;
+    logic [6:0] x0;
+  } scissor_t;
+  localparam logic [31:0] SCISSOR_RESERVED = 32'h80808080;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [7:0] alpha;
+    logic alpha_linear;
+    logic [1:0] shading;
+    logic [1:0] geometry;
+    logic [10:0] length;
+  } triangle_header_t;
+  localparam logic [31:0] TRIANGLE_HEADER_RESERVED = 32'h00000000;
+
+  typedef struct packed {
+    logic [31:0] response_words;
+    logic [31:0] offset;
+    logic [27:0] reserved_0;
+    logic [3:0] cause;
+  } status_t;
+  localparam logic [95:0] STATUS_RESERVED = 96'h0000000000000000fffffff0;
+

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Memory with one read and one write port that infers block RAM: the word at read_addr_i is out one clock after
+// read_en_i and stays until the next read. Reading the address that is being written gives either word.
+module ram_1r1w #(
+  parameter int unsigned Width = 32,
+  parameter int unsigned Depth = 256
+) (
+  input  logic                     clk_i,
+
+  input  logic                     write_en_i,
+  input  logic [$clog2(Depth)-1:0] write_addr_i,
+  input  logic [Width-1:0]         write_data_i,
+
+  input  logic                     read_en_i,
+  input  logic [$clog2(Depth)-1:0] read_addr_i,
+  output logic [Width-1:0]         read_data_o
+);
+
+  logic [Width-1:0] memory [Depth];
+
+  always_ff @(posedge clk_i) begin
+    if (write_en_i) memory[write_addr_i] <= write_data_i;
+    if (read_en_i) read_data_o <= memory[read_addr_i];
+  end
+
+endmodule
