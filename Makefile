@@ -25,6 +25,8 @@ Q :=
 quiet = @:
 endif
 
+RTL_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv)) rtl/gloss_core.sv
+
 # What the fragments add to.
 ALL        :=
 UNIT_TESTS :=
@@ -40,8 +42,8 @@ LINT_C     :=
 
 include tools/tools.mk
 include libaccel/model/model.mk
-include libaccel/libaccel.mk
 include libaccel/draw.mk
+include libaccel/libaccel.mk
 include tools/view.mk
 include rtl/raster/raster.mk
 include rtl/command/command.mk

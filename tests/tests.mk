@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Static checks, and what spans more than one part of the tree.
 
-RTL_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv)) rtl/gloss_core.sv
-
 # Each parameter at both its ends; the values between differ in nothing but width.
 LINT_CORES := 32-1-32 64-2-64 64-4-64 64-8-128 32-8-128
 
