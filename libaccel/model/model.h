@@ -4,11 +4,13 @@
  * names of the stages those of rtl/. rtl/gloss.xml says what each packet does;
  * here is who calls whom.
  *
- *   command.c   walks the stream, checks it, calls the others
+ *   command.c   walks the stream and executes it, packet by packet
+ *     command_check.c   is the packet right, and if not, at which word
+ *     triangle.c        a TRIANGLE's payload in its many forms to one struct
  *   raster.c    edges to spans of pixels
  *   shade.c     surfaces to colour and depth of a span
- *   fragment.c  scissor, depth test, masks, into the tile
- *   tile.c      the tile's pixels: clear, load, store, return
+ *   fragment.c  depth test, masks, into the tile
+ *   tile.c      the tile's pixels: clear, load, store, answer
  *   memory.c    slots: rights, bounds, words
  *
  * Nothing here allocates, prints or keeps state outside its arguments; any
@@ -25,6 +27,9 @@
 
 #define MODEL_TILE_MAX 64
 
+/* Pixels that shade and fragment work on at once; they may touch that many past a span. */
+#define MODEL_LANES 8
+
 /* One edge; the units are those of group edges_wide. */
 struct model_edge {
 	int32_t x, step;		/* s13 */
@@ -36,7 +41,7 @@ struct model_surface {
 	uint32_t i, dx, dy, dxx, dxy, dyy;
 };
 
-/* The depth plane at the anchor, s28.12 in the low 40 bits. */
+/* The depth plane at the anchor, s28.12 in the low 40 bits; the bits above are ignored. */
 struct model_plane {
 	uint64_t z, dx, dy;
 };
@@ -44,13 +49,20 @@ struct model_plane {
 /* A triangle as raster and shade take it, whatever form it was sent in. */
 struct model_triangle {
 	struct model_edge left, right, middle;
-	int first_row, last_row, switch_row, side;
+	int first_row, last_row;	/* last_row: rows less one, as it is sent */
+	int switch_row, side;
 	struct model_surface red, green, blue, alpha;
 	struct model_plane depth;
 };
 
+/* Pixels x0 <= x < x1, y0 <= y < y1, inside the tile. */
 struct model_scissor {
 	int x0, y0, x1, y1;
+};
+
+struct model_target {
+	unsigned int slot;
+	uint32_t pitch;			/* bytes; 0: not set */
 };
 
 /* State that packets set and triangles use; reset for every job. */
@@ -59,19 +71,17 @@ struct model_state {
 	bool depth_write;
 	uint32_t colour_mask;		/* 0xff in each byte that is written */
 	struct model_scissor scissor;
-	struct {
-		unsigned int slot;
-		uint32_t pitch;		/* 0: not set */
-	} colour_surface, depth_surface;
+	struct model_target colour_surface, depth_surface;
 };
 
 struct model_counters {
 	uint32_t triangles, covered, passed, tiles;
 };
 
+/* Pixels row by row, T to a row. */
 struct model_tile {
-	uint32_t colour[MODEL_TILE_MAX * MODEL_TILE_MAX];	/* row by row, T to a row */
-	uint32_t depth[MODEL_TILE_MAX * MODEL_TILE_MAX];
+	uint32_t colour[MODEL_TILE_MAX * MODEL_TILE_MAX + MODEL_LANES];
+	uint32_t depth[MODEL_TILE_MAX * MODEL_TILE_MAX + MODEL_LANES];
 };
 
 struct model {
@@ -97,27 +107,85 @@ struct model_span {
 struct model_walk {
 	const struct model_triangle *triangle;
 	struct model_edge left, right;
-	int row;
+	int row;			/* the next one, counted from the triangle's first */
 };
 
-/* command.c */
+/* ---- command.c ---- */
+
+/*
+ * @memory of @memory_size bytes is the board's and must outlive @model; it is
+ * neither read nor written outside the slots of a job.
+ * -EINVAL: @tile_size is neither 32 nor 64.
+ */
 int model_init(struct model *model, int tile_size, void *memory, size_t memory_size);
+
+/*
+ * Runs a job to its end or its fault and fills @status. The job and what it
+ * points to are lent for the call; response words past status->response_words
+ * are not touched.
+ * -EINVAL: not a job, and nothing was done: a slot that is not empty starts off
+ * a 4096-byte boundary or leaves board memory, or words without a buffer.
+ */
 int model_run(struct model *model, const struct gloss_job *job, struct gloss_status *status);
 
-/* raster.c */
+/* ---- command_check.c ---- */
+
+/*
+ * Checks the packet at @at of the stream against everything gloss.xml asks.
+ * For a fault *@word is the offset it is reported at, from the packet's header.
+ */
+enum gloss_fault model_command_check(const struct model *model, uint32_t at, uint32_t *word);
+
+/* ---- triangle.c ---- */
+
+/* @packet is a checked TRIANGLE from its header on. */
+void model_triangle_unpack(const uint32_t *packet, int tile_size, struct model_triangle *triangle);
+
+/* ---- raster.c ---- */
+
+/* @triangle must live as long as the walk. */
 void model_raster_begin(struct model_walk *walk, const struct model_triangle *triangle);
+/* The next row with pixels inside @scissor; false: there is none. */
 bool model_raster_next(struct model_walk *walk, const struct model_scissor *scissor,
 		       struct model_span *span);
+/* Column at which the triangle's coefficients hold; the row is first_row. */
 int model_raster_anchor(const struct model_triangle *triangle, int tile_size);
 
-/* shade.c: colour as in a colour surface's word, depth 24 bits, for each pixel of the span */
+/* ---- shade.c ---- */
+
+/*
+ * Colour as in a colour surface's word and depth in 24 bits of each pixel of
+ * the span, the first at index 0. Both arrays have MODEL_TILE_MAX words; what
+ * is past the span is overwritten with no meaning.
+ */
 void model_shade_span(const struct model_triangle *triangle, int anchor_x,
 		      const struct model_span *span, uint32_t *colour, uint32_t *depth);
 
-/* fragment.c */
+/* ---- fragment.c ---- */
+
+/*
+ * Tests and merges a span into the open tile and counts its pixels. @colour and
+ * @depth are those of model_shade_span, also in size.
+ */
 void model_fragment_span(struct model *model, const struct model_span *span,
 			 const uint32_t *colour, const uint32_t *depth);
 
-/* tile.c, memory.c: see there */
+/* ---- tile.c: the accesses were checked ---- */
+
+void model_tile_begin(struct model *model, const struct gloss_tile_begin *begin);
+void model_tile_end(struct model *model, const struct gloss_tile_end *end);
+
+/* ---- memory.c ---- */
+
+/* May the job @right @bytes bytes from @offset on in slot number @slot? */
+bool model_memory_allows(const struct model *model, unsigned int slot, enum gloss_rights right,
+			 uint32_t offset, uint32_t bytes);
+/* Words between the host and a slot; the access was checked, @offset is a multiple of 4. */
+void model_memory_read(const struct model *model, unsigned int slot, uint32_t offset,
+		       uint32_t *words, uint32_t count);
+void model_memory_write(struct model *model, unsigned int slot, uint32_t offset,
+			const uint32_t *words, uint32_t count);
+/* The next @count words of the response buffer, to be filled; there is room. */
+uint32_t *model_memory_answer(struct model *model, uint32_t count);
 
 #endif

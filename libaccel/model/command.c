@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+/* The command stage: a job from its first packet to its end or fault. */
+#include <errno.h>
+#include <string.h>
+
+#include "model.h"
+
+static void run_write_memory(struct model *model, const uint32_t *packet)
+{
+	struct gloss_write_memory p;
+
+	gloss_write_memory_unpack(packet, &p);
+	model_memory_write(model, p.slot, p.offset, packet + 1 + GLOSS_WRITE_MEMORY_WORDS,
+			   gloss_header_length(packet[0]) - GLOSS_WRITE_MEMORY_WORDS);
+}
+
+static void run_read_memory(struct model *model, const uint32_t *packet)
+{
+	struct gloss_read_memory p;
+
+	gloss_read_memory_unpack(packet, &p);
+	model_memory_read(model, p.slot, p.offset, model_memory_answer(model, p.count), p.count);
+}
+
+static void run_counters(struct model *model, const uint32_t *packet)
+{
+	uint32_t *words = model_memory_answer(model, GLOSS_COUNTER_WORDS);
+
+	(void)packet;
+	words[0] = model->counters.triangles;
+	words[1] = model->counters.covered;
+	words[2] = model->counters.passed;
+	words[3] = model->counters.tiles;
+}
+
+static void run_colour_surface(struct model *model, const uint32_t *packet)
+{
+	struct gloss_colour_surface p;
+
+	gloss_colour_surface_unpack(packet, &p);
+	model->state.colour_surface = (struct model_target){ p.slot, p.pitch };
+}
+
+static void run_depth_surface(struct model *model, const uint32_t *packet)
+{
+	struct gloss_depth_surface p;
+
+	gloss_depth_surface_unpack(packet, &p);
+	model->state.depth_surface = (struct model_target){ p.slot, p.pitch };
+}
+
+static void run_tile_begin(struct model *model, const uint32_t *packet)
+{
+	struct gloss_tile_begin p;
+
+	gloss_tile_begin_unpack(packet, &p);
+	model_tile_begin(model, &p);
+	model->in_tile = true;
+}
+
+static void run_tile_end(struct model *model, const uint32_t *packet)
+{
+	struct gloss_tile_end p;
+
+	gloss_tile_end_unpack(packet, &p);
+	model_tile_end(model, &p);
+	model->counters.tiles++;
+	model->in_tile = false;
+}
+
+static void run_depth_state(struct model *model, const uint32_t *packet)
+{
+	struct gloss_depth_state p;
+
+	gloss_depth_state_unpack(packet, &p);
+	model->state.depth_func = p.func;
+	model->state.depth_write = p.write;
+}
+
+static void run_colour_mask(struct model *model, const uint32_t *packet)
+{
+	struct gloss_colour_mask p;
+
+	gloss_colour_mask_unpack(packet, &p);
+	model->state.colour_mask = (p.red ? 0x000000ffu : 0) | (p.green ? 0x0000ff00u : 0) |
+				   (p.blue ? 0x00ff0000u : 0) | (p.alpha ? 0xff000000u : 0);
+}
+
+static void run_scissor(struct model *model, const uint32_t *packet)
+{
+	struct gloss_scissor p;
+
+	gloss_scissor_unpack(packet, &p);
+	model->state.scissor = (struct model_scissor){ (int)p.x0, (int)p.y0, (int)p.x1,
+						       (int)p.y1 };
+}
+
+static void run_triangle(struct model *model, const uint32_t *packet)
+{
+	uint32_t colour[MODEL_TILE_MAX], depth[MODEL_TILE_MAX];
+	struct model_triangle triangle;
+	struct model_walk walk;
+	struct model_span span;
+	int anchor;
+
+	model_triangle_unpack(packet, model->tile_size, &triangle);
+	anchor = model_raster_anchor(&triangle, model->tile_size);
+	model_raster_begin(&walk, &triangle);
+	while (model_raster_next(&walk, &model->state.scissor, &span)) {
+		model_shade_span(&triangle, anchor, &span, colour, depth);
+		model_fragment_span(model, &span, colour, depth);
+	}
+	model->counters.triangles++;
+}
+
+/* Executes a packet that was checked. NULL: it does nothing. */
+static void (*const run[])(struct model *model, const uint32_t *packet) = {
+	[GLOSS_OP_NOP] = NULL,
+	[GLOSS_OP_WRITE_MEMORY] = run_write_memory,
+	[GLOSS_OP_READ_MEMORY] = run_read_memory,
+	[GLOSS_OP_COUNTERS] = run_counters,
+	[GLOSS_OP_COLOUR_SURFACE] = run_colour_surface,
+	[GLOSS_OP_DEPTH_SURFACE] = run_depth_surface,
+	[GLOSS_OP_TILE_BEGIN] = run_tile_begin,
+	[GLOSS_OP_TILE_END] = run_tile_end,
+	[GLOSS_OP_DEPTH_STATE] = run_depth_state,
+	[GLOSS_OP_COLOUR_MASK] = run_colour_mask,
+	[GLOSS_OP_SCISSOR] = run_scissor,
+	[GLOSS_OP_TRIANGLE] = run_triangle,
+};
+
+int model_init(struct model *model, int tile_size, void *memory, size_t memory_size)
+{
+	if (tile_size != 32 && tile_size != 64)
+		return -EINVAL;
+	memset(model, 0, sizeof(*model));
+	model->tile_size = tile_size;
+	model->memory = memory;
+	model->memory_size = memory_size;
+	return 0;
+}
+
+static bool slot_valid(const struct model *model, const struct gloss_slot *slot)
+{
+	return !slot->size || (slot->base % 4096 == 0 &&
+			       (uint64_t)slot->base + slot->size <= model->memory_size);
+}
+
+static bool job_valid(const struct model *model, const struct gloss_job *job)
+{
+	if ((job->stream_words && !job->stream) || (job->response_words && !job->response))
+		return false;
+	for (unsigned int n = 0; n < GLOSS_SLOTS; n++)
+		if (!slot_valid(model, &job->slot[n]))
+			return false;
+	return true;
+}
+
+/* What every job starts from. */
+static void job_begin(struct model *model, const struct gloss_job *job)
+{
+	model->job = job;
+	model->state = (struct model_state){
+		.depth_func = GLOSS_COMPARE_ALWAYS,
+		.depth_write = false,
+		.colour_mask = 0xffffffffu,
+		.scissor = { 0, 0, model->tile_size, model->tile_size },
+	};
+	model->counters = (struct model_counters){ 0 };
+	model->response_used = 0;
+	model->in_tile = false;
+}
+
+int model_run(struct model *model, const struct gloss_job *job, struct gloss_status *status)
+{
+	enum gloss_fault fault = GLOSS_FAULT_NONE;
+	uint32_t at = 0, word = 0;
+
+	if (!job_valid(model, job))
+		return -EINVAL;
+	job_begin(model, job);
+	while (at < job->stream_words) {
+		const uint32_t *packet = job->stream + at;
+
+		fault = model_command_check(model, at, &word);
+		if (fault)
+			break;
+		if (run[gloss_header_opcode(packet[0])])
+			run[gloss_header_opcode(packet[0])](model, packet);
+		at += 1 + gloss_header_length(packet[0]);
+		word = 0;
+	}
+	if (!fault && model->in_tile)
+		fault = GLOSS_FAULT_ORDER;
+	model->job = NULL;
+	*status = (struct gloss_status){ fault, at + word, model->response_used };
+	return 0;
+}

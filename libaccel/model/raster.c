@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+/*
+ * Edges to spans. An edge is stepped in remainder form: x is the exact ceiling
+ * of the edge's place in a row, r what the division left over, so there is
+ * nothing to round.
+ *
+ * The registers are the core's. x and step have 13 bits: x + step + carry keeps
+ * the low 13, and columns compare as signed 13-bit numbers. r, m and dy have 16
+ * bits: r + m loses its carry, and the sum that is left is compared with dy and
+ * reduced by it, unsigned. Any values are therefore legal; only those a division
+ * can give mean anything.
+ */
+#include "model.h"
+
+static int32_t sign13(uint32_t x)
+{
+	return (int32_t)(x << 19) >> 19;
+}
+
+static void edge_step(struct model_edge *edge)
+{
+	uint32_t r = (edge->r + edge->m) & 0xffff;
+	uint32_t carry = r >= edge->dy;
+
+	edge->r = carry ? r - edge->dy : r;
+	edge->x = sign13((uint32_t)edge->x + (uint32_t)edge->step + carry);
+}
+
+void model_raster_begin(struct model_walk *walk, const struct model_triangle *triangle)
+{
+	walk->triangle = triangle;
+	walk->left = triangle->left;
+	walk->right = triangle->right;
+	walk->row = 0;
+}
+
+/* From the row before to walk->row. */
+static void walk_step(struct model_walk *walk)
+{
+	const struct model_triangle *triangle = walk->triangle;
+
+	edge_step(&walk->left);
+	edge_step(&walk->right);
+	if (walk->row != triangle->switch_row)
+		return;
+	if (triangle->side)
+		walk->right = triangle->middle;
+	else
+		walk->left = triangle->middle;
+}
+
+bool model_raster_next(struct model_walk *walk, const struct model_scissor *scissor,
+		       struct model_span *span)
+{
+	while (walk->row <= walk->triangle->last_row) {
+		if (walk->row)
+			walk_step(walk);
+		span->y = walk->triangle->first_row + walk->row++;
+		span->x0 = walk->left.x > scissor->x0 ? walk->left.x : scissor->x0;
+		span->x1 = walk->right.x < scissor->x1 ? walk->right.x : scissor->x1;
+		if (span->x0 < span->x1 && span->y >= scissor->y0 && span->y < scissor->y1)
+			return true;
+	}
+	return false;
+}
+
+int model_raster_anchor(const struct model_triangle *triangle, int tile_size)
+{
+	int x = triangle->left.x;
+
+	if (x < 0)
+		x = 0;
+	if (x > tile_size - 1)
+		x = tile_size - 1;
+	return x & ~((int)GLOSS_ANCHOR_ALIGN - 1);
+}
