@@ -11,15 +11,18 @@
  * Errors. Functions return 0 or a positive count, or a negative errno value;
  * a message saying what failed goes to the device's message function if there
  * is one. The library does not print, exit or abort. Any function that takes
- * memory may return -ENOMEM.
+ * memory may return -ENOMEM, and one that talks to the board -EIO (the board
+ * refused or failed) and -ENODEV (it is gone). A call that fails has no effect
+ * but where it says so. A pointer is not NULL where it is not said that it may be.
  *
  * Threads. A device may be used by any number of threads at once. Every other
  * object is to be used by one thread at a time; different objects, also of one
  * device, by different threads at once.
  *
  * Ownership. Every _new has its _free, which takes NULL. An object keeps what
- * it was made from alive: freeing a device with buffers left frees it when the
- * last buffer goes.
+ * it was made from, and what it refers to, alive: freeing a device with buffers
+ * left frees it when the last buffer goes, and a buffer named by a stream or by
+ * a job that runs goes when these have done with it.
  *
  * Units. Matrices are 4x4 floats, column by column, as in OpenGL; a vector is a
  * column. Clip space is OpenGL's (-w <= x, y, z <= w), window y points down in
@@ -56,46 +59,86 @@ struct accel_device_info {
 	uint64_t memory_size;		/* bytes */
 };
 
-/* Receives one line without a newline; called from the thread of the failing call. */
+/*
+ * Receives one line without a newline, which is lent for the call. Called from the
+ * thread of the failing call, so perhaps from several at once; it may call the library.
+ */
 typedef void (*accel_message_fn)(void *data, const char *message);
 
 /*
  * Opens the board called @name: "model:" (the C model, in this process),
  * "sim:" (the Verilated RTL, in this process) or "auto" (the first that
- * opens; also for NULL). "model:tile=32" and "sim:tile=32,lanes=4" choose the
- * core's parameters, "memory=BYTES" the size of board memory.
- * @message may be NULL.
+ * opens; also for NULL). The colon may be left out if nothing follows. Options
+ * follow it, separated by commas:
+ *
+ *   tile=32 or 64	pixels of a tile's side; 64 if not given
+ *   lanes=1, 2, 4, 8	pixels a clock, "sim:" only; 8 if not given
+ *   memory=BYTES	board memory, a multiple of 4096 up to 2^32; 256 MiB if not given
+ *   stalls=SEED	"sim:" only: the board's ports stall at random; 0, the default: never
+ *
+ * The plugin of "sim:" is looked for in the directory $GLOSS_SIM_PATH, then in
+ * sim/ beside the library, then where `make install` puts it.
+ * @message may be NULL; it and @data must last as long as the device.
  * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
- * allowed, -EINVAL a name that is not understood.
+ * allowed, -EINVAL a name or an option that is not understood.
  */
 int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **device);
 void accel_device_free(struct accel_device *device);
 void accel_device_info(struct accel_device *device, struct accel_device_info *info);
 
+/* Where the board's clocks went, summed over the jobs that have ended since it was opened. */
+struct accel_device_clocks {
+	uint64_t clocks;		/* with a job */
+	uint64_t stall_stream;		/* command waited for stream words */
+	uint64_t stall_raster;		/* a triangle waited for raster */
+	uint64_t stall_tile;		/* triangles waited for a tile buffer */
+	uint64_t stall_memory;		/* command or a tile waited for board memory */
+	uint64_t stall_response;	/* the response waited for the host */
+};
+
+/* -ENOTSUP: this board does not count clocks, as "model:". */
+int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks);
+
 /* ---- buffer: a range of board memory ---- */
 
-/* @size in bytes, at most 2^31; its content is zero. */
+/*
+ * @size in bytes, a multiple of 4 from 4 to 2^31 (else -EINVAL); its content is
+ * zero. -ENOMEM: also when board memory has no such range left.
+ */
 int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_buffer **buffer);
 void accel_buffer_free(struct accel_buffer *buffer);
 
-/* Copies between @data and the buffer; @offset and @size are multiples of 4.
- * -EINVAL misaligned or outside the buffer, -EIO, -ENODEV. */
+/*
+ * Copies @size bytes between @data and the buffer from @offset on, in both cases
+ * after all jobs that were submitted before; on return the copy is complete.
+ * @offset and @size are bytes and multiples of 4; a @size of 0 does nothing.
+ * Words are in the host's order. An error other than -EINVAL may leave part of
+ * the copy done.
+ * -EINVAL misaligned or outside the buffer, -EIO, -ENODEV.
+ */
 int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void *data, uint64_t size);
 int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, uint64_t size);
 
 /* ---- target: colour and depth to draw on ---- */
 
-/* @width, @height in pixels, 1 to ACCEL_TARGET_SIZE_MAX; else -EINVAL. Cleared to zero. */
+/*
+ * @width, @height in pixels, 1 to ACCEL_TARGET_SIZE_MAX; else -EINVAL. Colour and
+ * depth are zero. It takes 8 bytes a pixel of board memory, the sides rounded up
+ * to 64 pixels; -ENOMEM if there are not as many.
+ */
 int accel_target_new(struct accel_device *device, int width, int height,
 		     struct accel_target **target);
 void accel_target_free(struct accel_target *target);
 
 /*
- * Reads the whole target: row by row from the top, @pitch bytes from a row to
- * the next (at least 4*width, multiple of 4). A colour pixel is red, green,
- * blue, alpha bytes; a depth pixel is a uint32_t, depth in bits 23:0.
- * -EINVAL, -EIO, -ENODEV.
+ * Reads the whole target, after all jobs that were submitted before: row by row
+ * from the top into @pixels, @pitch bytes from a row to the next (at least
+ * 4*width, a multiple of 4; bytes between the rows are left alone). A colour
+ * pixel is red, green, blue, alpha bytes; a depth pixel is a uint32_t, depth in
+ * bits 23:0, the others zero unless a stream of your own wrote stencil there. An
+ * error other than -EINVAL may leave some rows read.
+ * -EINVAL (@pitch), -EIO, -ENODEV.
  */
 int accel_target_read_colour(struct accel_target *target, void *pixels, size_t pitch);
 int accel_target_read_depth(struct accel_target *target, void *pixels, size_t pitch);
@@ -138,33 +181,54 @@ struct accel_light {
 	float spot_cutoff;
 };
 
+/*
+ * Everything at its default: those said below, and as OpenGL has them identity
+ * matrices, material (ambient 0.2, diffuse 0.8, nothing else, for both sides),
+ * ambient light 0.2, and lights that are off, white for the first and black for
+ * the others, shining along -z. A state is of no device: it may be used on all.
+ */
 int accel_state_new(struct accel_state **state);
 void accel_state_free(struct accel_state *state);
+
+/*
+ * The functions below copy what they are given, and take effect with the next
+ * accel_draw_mesh. An enum's value is one of its list.
+ */
 
 /* Model to eye, eye to clip. */
 void accel_state_set_modelview(struct accel_state *state, const float matrix[16]);
 void accel_state_set_projection(struct accel_state *state, const float matrix[16]);
-/* Window rectangle in pixels (top left, size) and depth range, 0 to 1. Default: the whole target, 0 to 1. */
+/* Window rectangle in pixels (top left, size); width < 0 is the whole target, the default. */
 void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height);
+/* Depth of the near and the far plane, clamped to 0..1; the default is 0, 1. */
 void accel_state_set_depth_range(struct accel_state *state, float near, float far);
 /* Rectangle in pixels from the top left; width < 0 switches it off, the default. */
 void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height);
-/* ACCEL_COMPARE_ALWAYS without write is no depth test, the default. */
+/*
+ * What is drawn where its depth compares as @func with the one in the target, and
+ * with @write replaces it. ALWAYS without write is no depth test, the default.
+ */
 void accel_state_set_depth(struct accel_state *state, enum accel_compare func, bool write);
+/* Which channels are written; all by default. */
 void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue, bool alpha);
-/* Front faces are counter-clockwise on screen (NDC, y up). */
+/* Which faces are not drawn, none by default. Front faces are counter-clockwise on screen
+ * (NDC, y up). */
 void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
 /* Lighting off (the default): vertex colours, or white without, are drawn as they are. */
 void accel_state_set_lighting(struct accel_state *state, bool enabled);
-/* Back faces are lit with the normal reversed and the back material. */
+/* Back faces are lit with the normal reversed and the back material (true), or as front
+ * faces (false, the default). */
 void accel_state_set_two_sided(struct accel_state *state, bool enabled);
 /* Highlights seen from each pixel's own direction (true, the default) or from (0,0,1) (false). */
 void accel_state_set_local_viewer(struct accel_state *state, bool enabled);
+/* Light that comes from everywhere. */
 void accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
-/* -EINVAL: shininess outside 0..1000 or a value that is not finite. */
+/* @back NULL: the same as @front. -EINVAL: shininess outside 0..1000 or a value that is not
+ * finite. */
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
 			     const struct accel_material *back);
-/* -EINVAL: @index not below ACCEL_LIGHTS or a value out of range. */
+/* -EINVAL: @index not in 0..ACCEL_LIGHTS-1, a value that is not finite, an attenuation
+ * that is negative or all zero, a spot exponent or cutoff out of range. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
 
@@ -230,19 +294,35 @@ int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
 #define ACCEL_SLOT_READ 1u
 #define ACCEL_SLOT_WRITE 2u
 
+#define ACCEL_STREAM_WORDS_MAX (1u << 28)
+
 int accel_stream_new(struct accel_device *device, struct accel_stream **stream);
 void accel_stream_free(struct accel_stream *stream);
-/* Appends words; they are copied. */
+/*
+ * Appends @count words, which are copied. They are not looked at: the board checks
+ * them. @words may be NULL if @count is 0.
+ * -E2BIG: the stream would have more than ACCEL_STREAM_WORDS_MAX words.
+ */
 int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t count);
-/* Names a buffer in the job's slot table and returns the slot number. -ENOSPC: the table is full. */
+/*
+ * Names a buffer in the job's slot table and returns the slot number, 0 to 15. A
+ * buffer has one slot, whose @rights (of ACCEL_SLOT_*) are those of all calls.
+ * -ENOSPC: the table is full; -EINVAL: the buffer is another device's, or no such rights.
+ */
 int accel_stream_slot(struct accel_stream *stream, struct accel_buffer *buffer, unsigned int rights);
-/* The words so far; valid until the next call with @stream. */
+/* The words so far, *@count of them; valid until the next call with @stream that is not this
+ * one. May be NULL if there are none. */
 const uint32_t *accel_stream_words(const struct accel_stream *stream, size_t *count);
 /* Forgets words and slots. */
 void accel_stream_reset(struct accel_stream *stream);
 /*
- * Sends the stream. @response of @response_words words (NULL if 0) must live
- * until the fence was waited for or freed. The stream is empty afterwards.
+ * Sends the stream as a job: the board executes a device's jobs one after the
+ * other, in the order of the calls. @response of @response_words words (may be NULL
+ * if 0) receives the answers; it belongs to the board until the fence was waited
+ * for to the end or freed. On success *@fence, if @fence is not NULL, is the
+ * caller's to wait for and free, and the stream is empty; with NULL the call waits
+ * itself, and may fail as accel_fence_wait does, with the stream empty all the same.
+ * -EINVAL: no @response for its words; -EIO, -ENODEV.
  */
 int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
 			struct accel_fence **fence);
@@ -251,15 +331,17 @@ int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_
 
 /* How a job ended. */
 struct accel_fence_status {
-	unsigned int fault;		/* enum gloss_fault, 0: done */
-	uint32_t offset;		/* word of the fault */
-	uint32_t response_words;
+	unsigned int fault;		/* enum gloss_fault, 0: none */
+	uint32_t offset;		/* word of the fault; without one the stream's length */
+	uint32_t response_words;	/* that are valid */
 };
 
 /*
- * Waits for a job, @timeout_ns nanoseconds, for ever if negative. @status may
- * be NULL. 0 done; -EIO the job ended with a fault (see @status); -ETIMEDOUT;
- * -ENODEV the board is gone. A second wait gives the same answer.
+ * Waits for a job, @timeout_ns nanoseconds, for ever if negative, not at all if 0.
+ * @status may be NULL; it is filled but for -ETIMEDOUT. 0 done; -EIO the job ended
+ * with a fault (see @status), or, with no fault there, the board failed and was
+ * reset; -ETIMEDOUT it still runs; -ENODEV the board is gone. A wait after the job
+ * has ended gives the same answer again.
  */
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 		     struct accel_fence_status *status);

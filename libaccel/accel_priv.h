@@ -8,6 +8,9 @@
 #include "accel.h"
 #include "transport.h"
 
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+	       "words go to the board as they lie in memory, which it reads as little-endian");
+
 /* Surfaces are padded to whole tiles of either size, so that a picture's place in memory does
  * not depend on the core. */
 #define ACCEL_TARGET_ALIGN 64
@@ -26,6 +29,7 @@ struct accel_buffer {
 	struct accel_device *device;
 	uint64_t object;		/* of the transport */
 	uint64_t size;			/* bytes */
+	unsigned int references;	/* under the device's lock */
 };
 
 struct accel_target {
@@ -59,5 +63,20 @@ void accel_device_unref(struct accel_device *device);
 /* Formats one line for the device's message function, if there is one. */
 void accel_device_message(struct accel_device *device, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
+
+/* buffer.c */
+struct accel_buffer *accel_buffer_ref(struct accel_buffer *buffer);
+void accel_buffer_unref(struct accel_buffer *buffer);
+/* @rows times @count words, @pitch bytes apart, packed into @words; the place was checked, and
+ * @count is at most 65535. */
+int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
+			   uint32_t count, uint32_t rows, uint32_t *words);
+
+/* fence.c */
+/* A fence of no job yet; NULL: out of memory. */
+struct accel_fence *accel_fence_new(struct accel_device *device);
+/* Of job @sequence from now on; it takes over the references to the job's buffers. */
+void accel_fence_begin(struct accel_fence *fence, uint64_t sequence,
+		       struct accel_buffer *const *buffer, unsigned int buffers);
 
 #endif

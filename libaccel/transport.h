@@ -13,6 +13,7 @@
 
 #include <stdint.h>
 
+#include "accel.h"
 #include "job.h"
 
 /* What a board says of itself. */
@@ -40,17 +41,27 @@ struct accel_transport_job {
 	uint32_t slots;			/* at most GLOSS_SLOTS */
 };
 
+/* Why a board did not open, in one line for people; empty: errno says it all. */
+struct accel_transport_error {
+	char text[256];
+};
+
+/* Formats @error's text; cut off if it is too long. */
+void accel_transport_say(struct accel_transport_error *error, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
+
 struct accel_transport_ops {
 	/* Scheme of device names, without the colon: "model". */
 	const char *scheme;
 
 	/*
 	 * Opens a board. @where is the text after the colon, "" if none.
-	 * Stores the transport's own state in *@state.
+	 * Stores the transport's own state in *@state; on an error it may say
+	 * more in @error.
 	 * -ENODEV: no such board; -EACCES: not allowed; -ENOSYS: support for
 	 * it is not installed; -EINVAL: @where is not understood; -ENOMEM.
 	 */
-	int (*open)(const char *where, void **state);
+	int (*open)(const char *where, void **state, struct accel_transport_error *error);
 
 	/* Ends the board's use. No job is outstanding. */
 	void (*close)(void *state);
@@ -59,28 +70,37 @@ struct accel_transport_ops {
 	void (*info)(void *state, struct accel_transport_info *info);
 
 	/*
-	 * A range of board memory of at least @size bytes, its content zero.
+	 * A range of board memory, its content zero. A job can reach @size bytes
+	 * of it, 4 to 2^31, a multiple of 4, and no more.
 	 * -ENOMEM: the board has no such range left.
 	 */
 	int (*memory_new)(void *state, uint64_t size, uint64_t *object);
+
+	/* No job that names @object is outstanding. */
 	void (*memory_free)(void *state, uint64_t object);
 
 	/*
 	 * Starts a job. The stream and slot list are the caller's again on
 	 * return; the response buffer belongs to the board until the job has
 	 * been waited for. Stores a number for wait in *@sequence.
-	 * -ENODEV: the board is gone; -ENOMEM; -EINVAL: not a job.
+	 * -ENODEV: the board is gone; -ENOMEM; -EINVAL: not a job. Then it has
+	 * no number, and nothing was lent.
 	 */
 	int (*submit)(void *state, const struct accel_transport_job *job, uint64_t *sequence);
 
 	/*
-	 * Waits until job @sequence has ended and fills @status; each job is
-	 * waited for once with success. @timeout_ns < 0 waits for ever.
-	 * -ETIMEDOUT: still running; -ENODEV: the board is gone;
-	 * -EIO: the board failed and was reset.
+	 * Waits until job @sequence has ended and fills @status; a fault is in
+	 * there, and not an error of wait. @timeout_ns < 0 waits for ever.
+	 * -ETIMEDOUT: still running; any other answer is the last one for this
+	 * job, whose number is then forgotten and whose response buffer is the
+	 * caller's again. -ENODEV: the board is gone; -EIO: the board failed and
+	 * was reset; @status then has no fault.
 	 */
 	int (*wait)(void *state, uint64_t sequence, int64_t timeout_ns,
 		    struct gloss_status *status);
+
+	/* Clocks of all jobs that have ended. May be NULL: the board has no clock to count. */
+	void (*clocks)(void *state, struct accel_device_clocks *clocks);
 };
 
 extern const struct accel_transport_ops accel_transport_model;

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "accel_priv.h"
+
+#define BUFFER_SIZE_MAX (1ull << 31)
+
+/* Words that one packet carries, and that one job does, which bounds what waits in memory. */
+#define WRITE_WORDS (GLOSS_LENGTH_MAX - 2)
+#define WRITE_JOB_WORDS (64 * WRITE_WORDS)
+#define READ_WORDS 65535u
+
+int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_buffer **out)
+{
+	struct accel_buffer *buffer;
+	int err;
+
+	if (!size || size > BUFFER_SIZE_MAX || size % 4) {
+		accel_device_message(device, "a buffer can not have %llu bytes",
+				     (unsigned long long)size);
+		return -EINVAL;
+	}
+	buffer = malloc(sizeof(*buffer));
+	if (!buffer)
+		return -ENOMEM;
+	*buffer = (struct accel_buffer){ .size = size, .references = 1 };
+	pthread_mutex_lock(&device->lock);
+	err = device->ops->memory_new(device->state, size, &buffer->object);
+	pthread_mutex_unlock(&device->lock);
+	if (err)
+		goto err_free;
+	buffer->device = accel_device_ref(device);
+	*out = buffer;
+	return 0;
+
+err_free:
+	accel_device_message(device, "no board memory for a buffer of %llu bytes",
+			     (unsigned long long)size);
+	free(buffer);
+	return err;
+}
+
+struct accel_buffer *accel_buffer_ref(struct accel_buffer *buffer)
+{
+	pthread_mutex_lock(&buffer->device->lock);
+	buffer->references++;
+	pthread_mutex_unlock(&buffer->device->lock);
+	return buffer;
+}
+
+void accel_buffer_unref(struct accel_buffer *buffer)
+{
+	struct accel_device *device = buffer->device;
+	unsigned int left;
+
+	pthread_mutex_lock(&device->lock);
+	left = --buffer->references;
+	if (!left)
+		device->ops->memory_free(device->state, buffer->object);
+	pthread_mutex_unlock(&device->lock);
+	if (left)
+		return;
+	free(buffer);
+	accel_device_unref(device);
+}
+
+void accel_buffer_free(struct accel_buffer *buffer)
+{
+	if (buffer)
+		accel_buffer_unref(buffer);
+}
+
+/* ---- copies ---- */
+
+static int buffer_check(const struct accel_buffer *buffer, uint64_t offset, uint64_t size)
+{
+	if (offset % 4 == 0 && size % 4 == 0 && offset <= buffer->size &&
+	    size <= buffer->size - offset)
+		return 0;
+	accel_device_message(buffer->device, "%llu bytes at %llu of a buffer of %llu",
+			     (unsigned long long)size, (unsigned long long)offset,
+			     (unsigned long long)buffer->size);
+	return -EINVAL;
+}
+
+static int buffer_emit_write(struct accel_stream *stream, uint32_t slot, uint32_t offset,
+			     const void *data, uint32_t count)
+{
+	const struct gloss_write_memory packet = { .slot = slot, .offset = offset };
+	uint32_t words[1 + GLOSS_LENGTH_MAX];
+
+	gloss_write_memory_pack(words, &packet, 2 + count);
+	memcpy(words + 3, data, (size_t)count * 4);
+	return accel_stream_emit(stream, words, 3 + count);
+}
+
+/* One job; @count at most WRITE_JOB_WORDS. */
+static int buffer_write_job(struct accel_stream *stream, struct accel_buffer *buffer,
+			    uint32_t offset, const uint8_t *data, uint32_t count)
+{
+	int slot = accel_stream_slot(stream, buffer, ACCEL_SLOT_WRITE);
+	int err = slot < 0 ? slot : 0;
+
+	while (!err && count) {
+		uint32_t now = count < WRITE_WORDS ? count : WRITE_WORDS;
+
+		err = buffer_emit_write(stream, (uint32_t)slot, offset, data, now);
+		offset += now * 4;
+		data += (size_t)now * 4;
+		count -= now;
+	}
+	return err ? err : accel_stream_submit(stream, NULL, 0, NULL);
+}
+
+int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void *data,
+		       uint64_t size)
+{
+	struct accel_stream *stream;
+	const uint8_t *from = data;
+	int err;
+
+	err = buffer_check(buffer, offset, size);
+	if (err)
+		return err;
+	err = accel_stream_new(buffer->device, &stream);
+	if (err)
+		return err;
+	while (!err && size) {
+		uint64_t words = size / 4;
+		uint32_t now = words < WRITE_JOB_WORDS ? (uint32_t)words : WRITE_JOB_WORDS;
+
+		err = buffer_write_job(stream, buffer, (uint32_t)offset, from, now);
+		from += (size_t)now * 4;
+		offset += (uint64_t)now * 4;
+		size -= (uint64_t)now * 4;
+	}
+	accel_stream_free(stream);
+	return err;
+}
+
+int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
+			   uint32_t count, uint32_t rows, uint32_t *words)
+{
+	struct gloss_read_memory packet = { .count = count, .offset = (uint32_t)offset };
+	uint32_t packed[1 + GLOSS_READ_MEMORY_WORDS];
+	struct accel_stream *stream;
+	uint32_t row;
+	int err;
+
+	err = accel_stream_new(buffer->device, &stream);
+	if (err)
+		return err;
+	err = accel_stream_slot(stream, buffer, ACCEL_SLOT_READ);
+	packet.slot = (uint32_t)err;
+	for (row = 0; row < rows && err >= 0; row++) {
+		gloss_read_memory_pack(packed, &packet);
+		err = accel_stream_emit(stream, packed, 1 + GLOSS_READ_MEMORY_WORDS);
+		packet.offset += pitch;
+	}
+	if (err >= 0)
+		err = accel_stream_submit(stream, words, count * rows, NULL);
+	accel_stream_free(stream);
+	return err;
+}
+
+int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, uint64_t size)
+{
+	uint8_t *to = data;
+	uint32_t *words;
+	int err;
+
+	err = buffer_check(buffer, offset, size);
+	if (err || !size)
+		return err;
+	words = malloc(READ_WORDS * sizeof(*words));
+	if (!words)
+		return -ENOMEM;
+	while (!err && size) {
+		uint32_t now = size / 4 < READ_WORDS ? (uint32_t)(size / 4) : READ_WORDS;
+
+		err = accel_buffer_read_rows(buffer, offset, 0, now, 1, words);
+		if (!err)
+			memcpy(to, words, (size_t)now * 4);
+		to += (size_t)now * 4;
+		offset += (uint64_t)now * 4;
+		size -= (uint64_t)now * 4;
+	}
+	free(words);
+	return err;
+}

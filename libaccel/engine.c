@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "engine.h"
+
+#define NS_PER_S 1000000000
+
+/* A longer wait is one for ever; the sum with the present still fits any time_t. */
+#define WAIT_MAX_S 1000000000
+
+struct accel_engine_job {
+	struct accel_engine_job *next;
+	uint64_t sequence;
+	bool ended;
+	int error;			/* of the engine */
+	struct gloss_status status;
+	struct gloss_job job;
+	uint32_t stream[];
+};
+
+/* ---- the thread ---- */
+
+/* The next job, or NULL when the engine stops and all were run. */
+static struct accel_engine_job *engine_next(struct accel_engine *engine)
+{
+	while (!engine->next && !engine->stop)
+		pthread_cond_wait(&engine->submitted, &engine->lock);
+	return engine->next;
+}
+
+static void *engine_thread(void *argument)
+{
+	struct accel_engine *engine = argument;
+	struct accel_engine_job *job;
+
+	pthread_mutex_lock(&engine->lock);
+	while ((job = engine_next(engine))) {
+		pthread_mutex_unlock(&engine->lock);
+		job->error = engine->run(engine->data, &job->job, &job->status);
+		pthread_mutex_lock(&engine->lock);
+		job->ended = true;
+		engine->next = job->next;
+		pthread_cond_broadcast(&engine->ended);
+	}
+	pthread_mutex_unlock(&engine->lock);
+	return NULL;
+}
+
+/* Signals are for the program's own threads. */
+static int engine_start(struct accel_engine *engine)
+{
+	sigset_t all, old;
+	int err;
+
+	sigfillset(&all);
+	pthread_sigmask(SIG_SETMASK, &all, &old);
+	err = pthread_create(&engine->thread, NULL, engine_thread, engine);
+	pthread_sigmask(SIG_SETMASK, &old, NULL);
+	return err ? -ENOMEM : 0;
+}
+
+/* Waits are against a clock that nobody sets. */
+static void engine_init_ended(struct accel_engine *engine)
+{
+	pthread_condattr_t attributes;
+
+	pthread_condattr_init(&attributes);
+	pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+	pthread_cond_init(&engine->ended, &attributes);
+	pthread_condattr_destroy(&attributes);
+}
+
+static void engine_destroy_locks(struct accel_engine *engine)
+{
+	pthread_cond_destroy(&engine->ended);
+	pthread_cond_destroy(&engine->submitted);
+	pthread_mutex_destroy(&engine->lock);
+}
+
+int accel_engine_init(struct accel_engine *engine, uint64_t memory_size, accel_engine_run run,
+		      void *data)
+{
+	*engine = (struct accel_engine){ .run = run, .data = data, .memory_size = memory_size };
+	if (memory_size > SIZE_MAX)
+		return -ENOMEM;
+	/* Pages come as they are touched, and come zero. */
+	engine->memory = mmap(NULL, memory_size, PROT_READ | PROT_WRITE,
+			      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+	if (engine->memory == MAP_FAILED)
+		return -ENOMEM;
+	accel_range_init(&engine->ranges, memory_size);
+	engine->last = &engine->first;
+	pthread_mutex_init(&engine->lock, NULL);
+	pthread_cond_init(&engine->submitted, NULL);
+	engine_init_ended(engine);
+	if (engine_start(engine))
+		goto err_unmap;
+	return 0;
+
+err_unmap:
+	engine_destroy_locks(engine);
+	munmap(engine->memory, memory_size);
+	return -ENOMEM;
+}
+
+void accel_engine_fini(struct accel_engine *engine)
+{
+	pthread_mutex_lock(&engine->lock);
+	engine->stop = true;
+	pthread_cond_signal(&engine->submitted);
+	pthread_mutex_unlock(&engine->lock);
+	pthread_join(engine->thread, NULL);
+	while (engine->first) {
+		struct accel_engine_job *job = engine->first;
+
+		engine->first = job->next;
+		free(job);
+	}
+	engine_destroy_locks(engine);
+	accel_range_fini(&engine->ranges);
+	munmap(engine->memory, engine->memory_size);
+}
+
+/* ---- board memory ---- */
+
+int accel_engine_memory_new(void *state, uint64_t size, uint64_t *object)
+{
+	struct accel_engine *engine = state;
+
+	return accel_range_new(&engine->ranges, size, object);
+}
+
+/*
+ * Whole pages go back to the system, which makes them zero again; where its pages
+ * are larger than the steps of ranges, a neighbour may be on the same.
+ */
+static void engine_zero(void *memory, uint64_t size)
+{
+	if (sysconf(_SC_PAGESIZE) > ACCEL_RANGE_ALIGN || madvise(memory, size, MADV_DONTNEED))
+		memset(memory, 0, size);
+}
+
+void accel_engine_memory_free(void *state, uint64_t object)
+{
+	struct accel_engine *engine = state;
+	const struct accel_range *range = accel_range_find(&engine->ranges, object);
+
+	engine_zero((uint8_t *)engine->memory + range->base, range->size);
+	accel_range_free(&engine->ranges, object);
+}
+
+/* ---- jobs ---- */
+
+static int engine_fill_slots(const struct accel_engine *engine,
+			     const struct accel_transport_job *from, struct gloss_slot *slot)
+{
+	uint32_t i;
+
+	if (from->slots > GLOSS_SLOTS)
+		return -EINVAL;
+	for (i = 0; i < from->slots; i++) {
+		const struct accel_range *range;
+
+		range = accel_range_find(&engine->ranges, from->slot[i].object);
+		if (!range || range->size > UINT32_MAX)
+			return -EINVAL;
+		slot[i] = (struct gloss_slot){
+			.base = (uint32_t)range->base,
+			.size = (uint32_t)range->size,
+			.rights = from->slot[i].rights,
+		};
+	}
+	return 0;
+}
+
+static struct accel_engine_job *engine_job_new(const struct accel_transport_job *from)
+{
+	size_t bytes = (size_t)from->stream_words * sizeof(uint32_t);
+	struct accel_engine_job *job;
+
+	if (bytes / sizeof(uint32_t) != from->stream_words || bytes > SIZE_MAX - sizeof(*job))
+		return NULL;
+	job = malloc(sizeof(*job) + bytes);
+	if (!job)
+		return NULL;
+	*job = (struct accel_engine_job){
+		.job = {
+			.stream = job->stream,
+			.stream_words = from->stream_words,
+			.response = from->response,
+			.response_words = from->response_words,
+		},
+	};
+	if (bytes)
+		memcpy(job->stream, from->stream, bytes);
+	return job;
+}
+
+int accel_engine_submit(void *state, const struct accel_transport_job *from, uint64_t *sequence)
+{
+	struct accel_engine *engine = state;
+	struct accel_engine_job *job = engine_job_new(from);
+	int err;
+
+	if (!job)
+		return -ENOMEM;
+	err = engine_fill_slots(engine, from, job->job.slot);
+	if (err)
+		goto err_free;
+	pthread_mutex_lock(&engine->lock);
+	job->sequence = ++engine->sequence;
+	*sequence = job->sequence;
+	*engine->last = job;
+	engine->last = &job->next;
+	if (!engine->next)
+		engine->next = job;
+	pthread_cond_signal(&engine->submitted);
+	pthread_mutex_unlock(&engine->lock);
+	return 0;
+
+err_free:
+	free(job);
+	return err;
+}
+
+static struct timespec engine_deadline(int64_t timeout_ns)
+{
+	struct timespec at;
+
+	clock_gettime(CLOCK_MONOTONIC, &at);
+	at.tv_sec += (time_t)(timeout_ns / NS_PER_S);
+	at.tv_nsec += (long)(timeout_ns % NS_PER_S);
+	if (at.tv_nsec >= NS_PER_S) {
+		at.tv_nsec -= NS_PER_S;
+		at.tv_sec++;
+	}
+	return at;
+}
+
+/* The link to the job, or NULL. Called with the lock held. */
+static struct accel_engine_job **engine_find(struct accel_engine *engine, uint64_t sequence)
+{
+	struct accel_engine_job **link;
+
+	for (link = &engine->first; *link; link = &(*link)->next)
+		if ((*link)->sequence == sequence)
+			return link;
+	return NULL;
+}
+
+/* Called with the lock held, which it gives up while it sleeps. */
+static int engine_sleep(struct accel_engine *engine, const struct accel_engine_job *job,
+			int64_t timeout_ns)
+{
+	struct timespec deadline;
+
+	if (timeout_ns < 0 || timeout_ns / NS_PER_S > WAIT_MAX_S) {
+		while (!job->ended)
+			pthread_cond_wait(&engine->ended, &engine->lock);
+		return 0;
+	}
+	deadline = engine_deadline(timeout_ns);
+	while (!job->ended)
+		if (pthread_cond_timedwait(&engine->ended, &engine->lock, &deadline) == ETIMEDOUT)
+			return job->ended ? 0 : -ETIMEDOUT;
+	return 0;
+}
+
+/* Takes an ended job off the list. Called with the lock held. */
+static struct accel_engine_job *engine_take(struct accel_engine *engine, uint64_t sequence)
+{
+	struct accel_engine_job **link = engine_find(engine, sequence);
+	struct accel_engine_job *job = *link;
+
+	*link = job->next;
+	if (!job->next)
+		engine->last = link;
+	return job;
+}
+
+int accel_engine_wait(void *state, uint64_t sequence, int64_t timeout_ns,
+		      struct gloss_status *status)
+{
+	struct accel_engine *engine = state;
+	struct accel_engine_job **link, *job;
+	int err;
+
+	pthread_mutex_lock(&engine->lock);
+	link = engine_find(engine, sequence);
+	err = link ? engine_sleep(engine, *link, timeout_ns) : -EINVAL;
+	job = err ? NULL : engine_take(engine, sequence);
+	pthread_mutex_unlock(&engine->lock);
+	if (!job)
+		return err;
+	*status = job->status;
+	err = job->error ? -EIO : 0;
+	free(job);
+	return err;
+}

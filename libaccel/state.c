@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "accel_priv.h"
+
+#define SHININESS_MAX 1000.0f
+#define SPOT_EXPONENT_MAX 128.0f
+#define SPOT_CUTOFF_MAX 90.0f
+#define SPOT_NONE 180.0f
+
+static const float identity[16] = {
+	1, 0, 0, 0,
+	0, 1, 0, 0,
+	0, 0, 1, 0,
+	0, 0, 0, 1,
+};
+
+static const struct accel_material default_material = {
+	.emission = { 0, 0, 0, 1 },
+	.ambient = { 0.2f, 0.2f, 0.2f, 1 },
+	.diffuse = { 0.8f, 0.8f, 0.8f, 1 },
+	.specular = { 0, 0, 0, 1 },
+};
+
+static const struct accel_light default_light = {
+	.position = { 0, 0, 1, 0 },
+	.ambient = { 0, 0, 0, 1 },
+	.diffuse = { 0, 0, 0, 1 },
+	.specular = { 0, 0, 0, 1 },
+	.attenuation = { 1, 0, 0 },
+	.spot_direction = { 0, 0, -1 },
+	.spot_cutoff = SPOT_NONE,
+};
+
+static const float white[4] = { 1, 1, 1, 1 };
+
+int accel_state_new(struct accel_state **out)
+{
+	struct accel_state *state = malloc(sizeof(*state));
+	int i;
+
+	if (!state)
+		return -ENOMEM;
+	*state = (struct accel_state){
+		.viewport = { .width = -1 },
+		.scissor = { .width = -1 },
+		.depth_far = 1,
+		.depth_func = ACCEL_COMPARE_ALWAYS,
+		.colour_mask = { true, true, true, true },
+		.cull = ACCEL_CULL_NONE,
+		.local_viewer = true,
+		.ambient = { 0.2f, 0.2f, 0.2f, 1 },
+		.material = { default_material, default_material },
+		.shading = ACCEL_SHADING_ADAPTIVE,
+	};
+	accel_state_set_modelview(state, identity);
+	accel_state_set_projection(state, identity);
+	for (i = 0; i < ACCEL_LIGHTS; i++)
+		state->light[i] = default_light;
+	memcpy(state->light[0].diffuse, white, sizeof(white));
+	memcpy(state->light[0].specular, white, sizeof(white));
+	*out = state;
+	return 0;
+}
+
+void accel_state_free(struct accel_state *state)
+{
+	free(state);
+}
+
+void accel_state_set_modelview(struct accel_state *state, const float matrix[16])
+{
+	memcpy(state->modelview, matrix, sizeof(state->modelview));
+}
+
+void accel_state_set_projection(struct accel_state *state, const float matrix[16])
+{
+	memcpy(state->projection, matrix, sizeof(state->projection));
+}
+
+void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height)
+{
+	state->viewport.x = x;
+	state->viewport.y = y;
+	state->viewport.width = width;
+	state->viewport.height = height;
+}
+
+/* What is not a number becomes 0. */
+static float state_clamp(float value)
+{
+	return fminf(fmaxf(value, 0), 1);
+}
+
+void accel_state_set_depth_range(struct accel_state *state, float near, float far)
+{
+	state->depth_near = state_clamp(near);
+	state->depth_far = state_clamp(far);
+}
+
+void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height)
+{
+	state->scissor.x = x;
+	state->scissor.y = y;
+	state->scissor.width = width;
+	state->scissor.height = height;
+}
+
+void accel_state_set_depth(struct accel_state *state, enum accel_compare func, bool write)
+{
+	state->depth_func = func;
+	state->depth_write = write;
+}
+
+void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue,
+				 bool alpha)
+{
+	state->colour_mask[0] = red;
+	state->colour_mask[1] = green;
+	state->colour_mask[2] = blue;
+	state->colour_mask[3] = alpha;
+}
+
+void accel_state_set_cull(struct accel_state *state, enum accel_cull cull)
+{
+	state->cull = cull;
+}
+
+void accel_state_set_lighting(struct accel_state *state, bool enabled)
+{
+	state->lighting = enabled;
+}
+
+void accel_state_set_two_sided(struct accel_state *state, bool enabled)
+{
+	state->two_sided = enabled;
+}
+
+void accel_state_set_local_viewer(struct accel_state *state, bool enabled)
+{
+	state->local_viewer = enabled;
+}
+
+void accel_state_set_ambient(struct accel_state *state, const float rgba[4])
+{
+	memcpy(state->ambient, rgba, sizeof(state->ambient));
+}
+
+static bool state_finite(const float *value, int count)
+{
+	int i;
+
+	for (i = 0; i < count; i++)
+		if (!isfinite(value[i]))
+			return false;
+	return true;
+}
+
+static bool state_material_valid(const struct accel_material *material)
+{
+	return state_finite(material->emission, 4) && state_finite(material->ambient, 4) &&
+	       state_finite(material->diffuse, 4) && state_finite(material->specular, 4) &&
+	       material->shininess >= 0 && material->shininess <= SHININESS_MAX;
+}
+
+int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
+			     const struct accel_material *back)
+{
+	if (!back)
+		back = front;
+	if (!state_material_valid(front) || !state_material_valid(back))
+		return -EINVAL;
+	state->material[0] = *front;
+	state->material[1] = *back;
+	return 0;
+}
+
+static bool state_attenuation_valid(const float attenuation[3])
+{
+	return state_finite(attenuation, 3) && attenuation[0] >= 0 && attenuation[1] >= 0 &&
+	       attenuation[2] >= 0 && attenuation[0] + attenuation[1] + attenuation[2] > 0;
+}
+
+static bool state_spot_valid(const struct accel_light *light)
+{
+	return state_finite(light->spot_direction, 3) && light->spot_exponent >= 0 &&
+	       light->spot_exponent <= SPOT_EXPONENT_MAX &&
+	       ((light->spot_cutoff >= 0 && light->spot_cutoff <= SPOT_CUTOFF_MAX) ||
+		light->spot_cutoff == SPOT_NONE);
+}
+
+int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light)
+{
+	if (index < 0 || index >= ACCEL_LIGHTS)
+		return -EINVAL;
+	if (!state_finite(light->position, 4) || !state_finite(light->ambient, 4) ||
+	    !state_finite(light->diffuse, 4) || !state_finite(light->specular, 4) ||
+	    !state_attenuation_valid(light->attenuation) || !state_spot_valid(light))
+		return -EINVAL;
+	state->light[index] = *light;
+	return 0;
+}
+
+void accel_state_set_shading(struct accel_state *state, enum accel_shading shading)
+{
+	state->shading = shading;
+}

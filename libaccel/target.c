@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "accel_priv.h"
+
+/* Words that are read by one job: at least a row. */
+#define READ_WORDS 65536u
+
+static uint32_t target_align(int pixels)
+{
+	return ((uint32_t)pixels + ACCEL_TARGET_ALIGN - 1) / ACCEL_TARGET_ALIGN *
+	       ACCEL_TARGET_ALIGN;
+}
+
+int accel_target_new(struct accel_device *device, int width, int height,
+		     struct accel_target **out)
+{
+	struct accel_target *target;
+	uint64_t size;
+	int err;
+
+	if (width < 1 || width > ACCEL_TARGET_SIZE_MAX || height < 1 ||
+	    height > ACCEL_TARGET_SIZE_MAX) {
+		accel_device_message(device, "a target of %d x %d pixels: a side has 1 to %d", width,
+				     height, ACCEL_TARGET_SIZE_MAX);
+		return -EINVAL;
+	}
+	target = malloc(sizeof(*target));
+	if (!target)
+		return -ENOMEM;
+	*target = (struct accel_target){
+		.width = width,
+		.height = height,
+		.pitch = target_align(width) * 4,
+		.rows = target_align(height),
+	};
+	size = (uint64_t)target->pitch * target->rows;
+	err = accel_buffer_new(device, size, &target->colour);
+	if (err)
+		goto err_free;
+	err = accel_buffer_new(device, size, &target->depth);
+	if (err)
+		goto err_free_colour;
+	target->device = accel_device_ref(device);
+	*out = target;
+	return 0;
+
+err_free_colour:
+	accel_buffer_free(target->colour);
+err_free:
+	free(target);
+	return err;
+}
+
+void accel_target_free(struct accel_target *target)
+{
+	if (!target)
+		return;
+	accel_buffer_free(target->depth);
+	accel_buffer_free(target->colour);
+	accel_device_unref(target->device);
+	free(target);
+}
+
+static int target_read(struct accel_target *target, struct accel_buffer *buffer, uint8_t *pixels,
+		       size_t pitch)
+{
+	uint32_t width = (uint32_t)target->width, height = (uint32_t)target->height;
+	uint32_t step = READ_WORDS / width < height ? READ_WORDS / width : height;
+	uint32_t y, row, *words;
+	int err = 0;
+
+	if (pitch < (size_t)width * 4 || pitch % 4) {
+		accel_device_message(target->device, "a pitch of %zu bytes for rows of %u pixels",
+				     pitch, width);
+		return -EINVAL;
+	}
+	words = malloc((size_t)width * step * sizeof(*words));
+	if (!words)
+		return -ENOMEM;
+	for (y = 0; y < height && !err; y += step) {
+		uint32_t rows = height - y < step ? height - y : step;
+
+		err = accel_buffer_read_rows(buffer, (uint64_t)y * target->pitch, target->pitch,
+					     width, rows, words);
+		for (row = 0; row < rows && !err; row++)
+			memcpy(pixels + (y + row) * pitch, words + (size_t)row * width,
+			       (size_t)width * 4);
+	}
+	free(words);
+	return err;
+}
+
+int accel_target_read_colour(struct accel_target *target, void *pixels, size_t pitch)
+{
+	return target_read(target, target->colour, pixels, pitch);
+}
+
+int accel_target_read_depth(struct accel_target *target, void *pixels, size_t pitch)
+{
+	return target_read(target, target->depth, pixels, pitch);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/* "model:": the C model of the core, on a thread of this process. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "engine.h"
+#include "model/model.h"
+#include "option.h"
+
+struct transport_model {
+	struct accel_engine engine;	/* first, see engine.h */
+	struct model model;
+};
+
+static int transport_model_run(void *data, const struct gloss_job *job,
+			       struct gloss_status *status)
+{
+	return model_run(data, job, status);
+}
+
+static int transport_model_open(const char *where, void **state,
+				struct accel_transport_error *error)
+{
+	uint64_t tile = 64, memory = ENGINE_MEMORY_DEFAULT;
+	const struct accel_option options[] = {
+		{ "tile", 32, 64, 0, &tile },
+		{ "memory", ACCEL_RANGE_ALIGN, ENGINE_MEMORY_MAX, ACCEL_RANGE_ALIGN, &memory },
+		{ NULL, 0, 0, 0, NULL },
+	};
+	struct transport_model *transport;
+	int err;
+
+	err = accel_option_parse(where, options, error);
+	if (err)
+		return err;
+	transport = malloc(sizeof(*transport));
+	if (!transport)
+		return -ENOMEM;
+	err = accel_engine_init(&transport->engine, memory, transport_model_run,
+				&transport->model);
+	if (err)
+		goto err_free;
+	err = model_init(&transport->model, (int)tile, transport->engine.memory, memory);
+	if (err)
+		goto err_engine_fini;
+	*state = transport;
+	return 0;
+
+err_engine_fini:
+	accel_engine_fini(&transport->engine);
+err_free:
+	free(transport);
+	return err;
+}
+
+static void transport_model_close(void *state)
+{
+	struct transport_model *transport = state;
+
+	accel_engine_fini(&transport->engine);
+	free(transport);
+}
+
+static void transport_model_info(void *state, struct accel_transport_info *info)
+{
+	const struct transport_model *transport = state;
+
+	*info = (struct accel_transport_info){
+		.version = GLOSS_VERSION,
+		.tile_size = (uint32_t)transport->model.tile_size,
+		.pixels_per_clock = 1,
+		.memory_size = transport->engine.memory_size,
+	};
+	snprintf(info->name, sizeof(info->name), "C model, %u-pixel tiles", info->tile_size);
+}
+
+const struct accel_transport_ops accel_transport_model = {
+	.scheme = "model",
+	.open = transport_model_open,
+	.close = transport_model_close,
+	.info = transport_model_info,
+	.memory_new = accel_engine_memory_new,
+	.memory_free = accel_engine_memory_free,
+	.submit = accel_engine_submit,
+	.wait = accel_engine_wait,
+};
