@@ -6,25 +6,45 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Version of this interface; a core reports it. */
 #define GLOSS_VERSION 1u
+/* Entries of the slot table. */
 #define GLOSS_SLOTS 16u
+/* Response words of COUNTERS. */
 #define GLOSS_COUNTER_WORDS 4u
+/* Fraction bits of colour coefficients (s10.22). */
 #define GLOSS_COLOUR_FRACTION 22u
+/* Fraction bits of depth coefficients in the core (s28.12). */
 #define GLOSS_DEPTH_FRACTION 12u
+/* A compact depth coefficient (s26.6) is shifted left by this. */
 #define GLOSS_DEPTH_COMPACT_SHIFT 6u
+/* The anchor of a triangle's coefficients is at a multiple of this in x. */
 #define GLOSS_ANCHOR_ALIGN 8u
 
+/* Why a job stopped. */
 enum gloss_fault {
+	/* The job was executed to its end. */
 	GLOSS_FAULT_NONE = 0,
+	/* Unknown opcode. */
 	GLOSS_FAULT_OPCODE = 1,
+	/* Payload length wrong for the opcode, or past the end of the stream. */
 	GLOSS_FAULT_LENGTH = 2,
+	/* A field out of range, a reserved bit set, or an offset not aligned. */
 	GLOSS_FAULT_VALUE = 3,
+	/*
+	 * A packet not allowed here, a surface used before it was set, or the stream ends inside a
+	 * tile.
+	 */
 	GLOSS_FAULT_ORDER = 4,
+	/* An access without the right, or outside the slot. */
 	GLOSS_FAULT_SLOT = 5,
+	/* The response buffer is too small. */
 	GLOSS_FAULT_RESPONSE = 6,
+	/* Board memory answered with an error. */
 	GLOSS_FAULT_MEMORY = 7,
 };
 
+/* Depth function: the fragment's depth compared with the stored one. */
 enum gloss_compare {
 	GLOSS_COMPARE_NEVER = 0,
 	GLOSS_COMPARE_LESS = 1,
@@ -36,24 +56,33 @@ enum gloss_compare {
 	GLOSS_COMPARE_ALWAYS = 7,
 };
 
+/* Form of a triangle's edges and depth plane. */
 enum gloss_geometry {
+	/* Any triangle. */
 	GLOSS_GEOMETRY_WIDE = 0,
+	/* At most 63 pixels wide and high. */
 	GLOSS_GEOMETRY_COMPACT = 1,
+	/* Covers the whole tile: no edges are sent; row 0 to T-1, x 0 to T-1. */
 	GLOSS_GEOMETRY_COVERING = 2,
 };
 
+/* Order of the colour surfaces of a triangle. */
 enum gloss_shading {
 	GLOSS_SHADING_FLAT = 0,
 	GLOSS_SHADING_LINEAR = 1,
 	GLOSS_SHADING_SECOND_ORDER = 2,
 };
 
+/* What becomes of a tile's colour or depth at its end. */
 enum gloss_tile_output {
 	GLOSS_TILE_OUTPUT_DROP = 0,
+	/* Stored to the surface at the offset. */
 	GLOSS_TILE_OUTPUT_STORE = 1,
+	/* Returned in the response stream, T*T words, row by row. */
 	GLOSS_TILE_OUTPUT_ANSWER = 2,
 };
 
+/* Rights of a slot. */
 enum gloss_rights {
 	GLOSS_RIGHTS_NONE = 0,
 	GLOSS_RIGHTS_READ = 1,
@@ -76,7 +105,8 @@ enum gloss_opcode {
 	GLOSS_OP_TRIANGLE = 0x30,
 };
 
-/* A header: opcode in bits 31:24, payload length in words in bits 10:0, bits 23:11 the packet's own. */
+/* A header: opcode in bits 31:24, payload length in words in bits 10:0,
+ * bits 23:11 the packet's own. */
 #define GLOSS_LENGTH_MAX 2047u
 
 static inline unsigned int gloss_header_opcode(uint32_t header)
@@ -89,14 +119,27 @@ static inline unsigned int gloss_header_length(uint32_t header)
 	return header & 0x7ffu;
 }
 
+/* ---- edges_wide ---- */
+
 #define GLOSS_EDGES_WIDE_WORDS 9
+
+/*
+ * Left, right and middle edge. An edge gives per row the first pixel whose centre is not left of
+ * it: x, and the remainder r of the exact division, 0 <= r < dy. To the next row: r += m, x +=
+ * step; if r >= dy then r -= dy, x += 1. A row's pixels are left.x <= x < right.x. Before row
+ * switch_row (counted from the triangle's first row, 0 is never) the middle edge, as sent, takes
+ * the place of the left (side 0) or right (side 1) one. dy is the edge's height in 1/16 pixel.
+ * Registers wrap: x, step at 13 bits, r, m, dy at 16.
+ */
 struct gloss_edges_wide {
 	int32_t left_x;
 	int32_t left_step;
 	uint32_t left_r;
 	uint32_t left_m;
 	uint32_t left_dy;
+	/* first_row + last_row at most T-1. */
 	uint32_t first_row;
+	/* Rows less one. */
 	uint32_t last_row;
 	int32_t right_x;
 	int32_t right_step;
@@ -115,24 +158,24 @@ struct gloss_edges_wide {
 static inline void gloss_edges_wide_pack(uint32_t *words, const struct gloss_edges_wide *p)
 {
 	words[0] = ((uint32_t)p->left_x & 0x1fffu) |
-		((uint32_t)p->left_step & 0x1fffu) << 16;
-	words[1] = ((uint32_t)p->left_r & 0xffffu) |
-		((uint32_t)p->left_m & 0xffffu) << 16;
-	words[2] = ((uint32_t)p->left_dy & 0xffffu) |
-		((uint32_t)p->first_row & 0x3fu) << 16 |
-		((uint32_t)p->last_row & 0x3fu) << 24;
+		   ((uint32_t)p->left_step & 0x1fffu) << 16;
+	words[1] = (p->left_r & 0xffffu) |
+		   (p->left_m & 0xffffu) << 16;
+	words[2] = (p->left_dy & 0xffffu) |
+		   (p->first_row & 0x3fu) << 16 |
+		   (p->last_row & 0x3fu) << 24;
 	words[3] = ((uint32_t)p->right_x & 0x1fffu) |
-		((uint32_t)p->right_step & 0x1fffu) << 16;
-	words[4] = ((uint32_t)p->right_r & 0xffffu) |
-		((uint32_t)p->right_m & 0xffffu) << 16;
-	words[5] = ((uint32_t)p->right_dy & 0xffffu) |
-		((uint32_t)p->switch_row & 0x3fu) << 16 |
-		((uint32_t)p->side & 0x1u) << 24;
+		   ((uint32_t)p->right_step & 0x1fffu) << 16;
+	words[4] = (p->right_r & 0xffffu) |
+		   (p->right_m & 0xffffu) << 16;
+	words[5] = (p->right_dy & 0xffffu) |
+		   (p->switch_row & 0x3fu) << 16 |
+		   (p->side & 0x1u) << 24;
 	words[6] = ((uint32_t)p->middle_x & 0x1fffu) |
-		((uint32_t)p->middle_step & 0x1fffu) << 16;
-	words[7] = ((uint32_t)p->middle_r & 0xffffu) |
-		((uint32_t)p->middle_m & 0xffffu) << 16;
-	words[8] = ((uint32_t)p->middle_dy & 0xffffu);
+		   ((uint32_t)p->middle_step & 0x1fffu) << 16;
+	words[7] = (p->middle_r & 0xffffu) |
+		   (p->middle_m & 0xffffu) << 16;
+	words[8] = p->middle_dy & 0xffffu;
 }
 
 static inline void gloss_edges_wide_unpack(const uint32_t *words, struct gloss_edges_wide *p)
@@ -158,32 +201,42 @@ static inline void gloss_edges_wide_unpack(const uint32_t *words, struct gloss_e
 	p->middle_dy = words[8] & 0xffffu;
 }
 
-/* Index of the first of the 9 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 9 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_edges_wide_invalid(const uint32_t *words)
 {
-	if ((words[0] & 0xe000e000u))
+	if (words[0] & 0xe000e000u)
 		return 0;
-	if ((words[2] & 0xc0c00000u))
+	if (words[2] & 0xc0c00000u)
 		return 2;
-	if ((words[3] & 0xe000e000u))
+	if (words[3] & 0xe000e000u)
 		return 3;
-	if ((words[5] & 0xfec00000u))
+	if (words[5] & 0xfec00000u)
 		return 5;
-	if ((words[6] & 0xe000e000u))
+	if (words[6] & 0xe000e000u)
 		return 6;
-	if ((words[8] & 0xffff0000u))
+	if (words[8] & 0xffff0000u)
 		return 8;
 	return -1;
 }
 
+/* ---- edges_compact ---- */
+
 #define GLOSS_EDGES_COMPACT_WORDS 6
+
+/*
+ * As edges_wide with narrow fields: x and step are sign-extended to 13 bits, the others extended
+ * with zeros.
+ */
 struct gloss_edges_compact {
 	uint32_t left_r;
 	uint32_t left_m;
 	uint32_t left_dy;
 	int32_t left_x;
 	int32_t left_step;
+	/* first_row + last_row at most T-1. */
 	uint32_t first_row;
+	/* Rows less one. */
 	uint32_t last_row;
 	uint32_t right_r;
 	uint32_t right_m;
@@ -201,25 +254,25 @@ struct gloss_edges_compact {
 
 static inline void gloss_edges_compact_pack(uint32_t *words, const struct gloss_edges_compact *p)
 {
-	words[0] = ((uint32_t)p->left_r & 0x3ffu) |
-		((uint32_t)p->left_m & 0x3ffu) << 10 |
-		((uint32_t)p->left_dy & 0x3ffu) << 20;
+	words[0] = (p->left_r & 0x3ffu) |
+		   (p->left_m & 0x3ffu) << 10 |
+		   (p->left_dy & 0x3ffu) << 20;
 	words[1] = ((uint32_t)p->left_x & 0xffu) |
-		((uint32_t)p->left_step & 0xffu) << 8 |
-		((uint32_t)p->first_row & 0x3fu) << 16 |
-		((uint32_t)p->last_row & 0x3fu) << 24;
-	words[2] = ((uint32_t)p->right_r & 0x3ffu) |
-		((uint32_t)p->right_m & 0x3ffu) << 10 |
-		((uint32_t)p->right_dy & 0x3ffu) << 20;
+		   ((uint32_t)p->left_step & 0xffu) << 8 |
+		   (p->first_row & 0x3fu) << 16 |
+		   (p->last_row & 0x3fu) << 24;
+	words[2] = (p->right_r & 0x3ffu) |
+		   (p->right_m & 0x3ffu) << 10 |
+		   (p->right_dy & 0x3ffu) << 20;
 	words[3] = ((uint32_t)p->right_x & 0xffu) |
-		((uint32_t)p->right_step & 0xffu) << 8 |
-		((uint32_t)p->switch_row & 0x3fu) << 16 |
-		((uint32_t)p->side & 0x1u) << 24;
-	words[4] = ((uint32_t)p->middle_r & 0x3ffu) |
-		((uint32_t)p->middle_m & 0x3ffu) << 10 |
-		((uint32_t)p->middle_dy & 0x3ffu) << 20;
+		   ((uint32_t)p->right_step & 0xffu) << 8 |
+		   (p->switch_row & 0x3fu) << 16 |
+		   (p->side & 0x1u) << 24;
+	words[4] = (p->middle_r & 0x3ffu) |
+		   (p->middle_m & 0x3ffu) << 10 |
+		   (p->middle_dy & 0x3ffu) << 20;
 	words[5] = ((uint32_t)p->middle_x & 0xffu) |
-		((uint32_t)p->middle_step & 0xffu) << 8;
+		   ((uint32_t)p->middle_step & 0xffu) << 8;
 }
 
 static inline void gloss_edges_compact_unpack(const uint32_t *words, struct gloss_edges_compact *p)
@@ -245,25 +298,30 @@ static inline void gloss_edges_compact_unpack(const uint32_t *words, struct glos
 	p->middle_step = (int32_t)(words[5] << 16) >> 24;
 }
 
-/* Index of the first of the 6 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 6 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_edges_compact_invalid(const uint32_t *words)
 {
-	if ((words[0] & 0xc0000000u))
+	if (words[0] & 0xc0000000u)
 		return 0;
-	if ((words[1] & 0xc0c00000u))
+	if (words[1] & 0xc0c00000u)
 		return 1;
-	if ((words[2] & 0xc0000000u))
+	if (words[2] & 0xc0000000u)
 		return 2;
-	if ((words[3] & 0xfec00000u))
+	if (words[3] & 0xfec00000u)
 		return 3;
-	if ((words[4] & 0xc0000000u))
+	if (words[4] & 0xc0000000u)
 		return 4;
-	if ((words[5] & 0xffff0000u))
+	if (words[5] & 0xffff0000u)
 		return 5;
 	return -1;
 }
 
+/* ---- depth_wide ---- */
+
 #define GLOSS_DEPTH_WIDE_WORDS 4
+
+/* Depth plane, s28.12, 40 bits each: bits 31:0 here, bits 39:32 in the last word. */
 struct gloss_depth_wide {
 	uint32_t z;
 	uint32_t dx;
@@ -275,12 +333,12 @@ struct gloss_depth_wide {
 
 static inline void gloss_depth_wide_pack(uint32_t *words, const struct gloss_depth_wide *p)
 {
-	words[0] = (uint32_t)p->z;
-	words[1] = (uint32_t)p->dx;
-	words[2] = (uint32_t)p->dy;
-	words[3] = ((uint32_t)p->z_high & 0xffu) |
-		((uint32_t)p->dx_high & 0xffu) << 8 |
-		((uint32_t)p->dy_high & 0xffu) << 16;
+	words[0] = p->z;
+	words[1] = p->dx;
+	words[2] = p->dy;
+	words[3] = (p->z_high & 0xffu) |
+		   (p->dx_high & 0xffu) << 8 |
+		   (p->dy_high & 0xffu) << 16;
 }
 
 static inline void gloss_depth_wide_unpack(const uint32_t *words, struct gloss_depth_wide *p)
@@ -293,15 +351,20 @@ static inline void gloss_depth_wide_unpack(const uint32_t *words, struct gloss_d
 	p->dy_high = words[3] >> 16 & 0xffu;
 }
 
-/* Index of the first of the 4 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 4 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_depth_wide_invalid(const uint32_t *words)
 {
-	if ((words[3] & 0xff000000u))
+	if (words[3] & 0xff000000u)
 		return 3;
 	return -1;
 }
 
+/* ---- depth_compact ---- */
+
 #define GLOSS_DEPTH_COMPACT_WORDS 3
+
+/* Depth plane, s26.6, sign-extended and shifted left by depth_compact_shift. */
 struct gloss_depth_compact {
 	int32_t z;
 	int32_t dx;
@@ -322,14 +385,19 @@ static inline void gloss_depth_compact_unpack(const uint32_t *words, struct glos
 	p->dy = (int32_t)words[2];
 }
 
-/* Index of the first of the 3 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 3 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_depth_compact_invalid(const uint32_t *words)
 {
 	(void)words;
 	return -1;
 }
 
+/* ---- alpha_linear ---- */
+
 #define GLOSS_ALPHA_LINEAR_WORDS 3
+
+/* Alpha plane, s10.22. */
 struct gloss_alpha_linear {
 	uint32_t a;
 	uint32_t a_dx;
@@ -338,9 +406,9 @@ struct gloss_alpha_linear {
 
 static inline void gloss_alpha_linear_pack(uint32_t *words, const struct gloss_alpha_linear *p)
 {
-	words[0] = (uint32_t)p->a;
-	words[1] = (uint32_t)p->a_dx;
-	words[2] = (uint32_t)p->a_dy;
+	words[0] = p->a;
+	words[1] = p->a_dx;
+	words[2] = p->a_dy;
 }
 
 static inline void gloss_alpha_linear_unpack(const uint32_t *words, struct gloss_alpha_linear *p)
@@ -350,14 +418,19 @@ static inline void gloss_alpha_linear_unpack(const uint32_t *words, struct gloss
 	p->a_dy = words[2];
 }
 
-/* Index of the first of the 3 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 3 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_alpha_linear_invalid(const uint32_t *words)
 {
 	(void)words;
 	return -1;
 }
 
+/* ---- colour_flat ---- */
+
 #define GLOSS_COLOUR_FLAT_WORDS 1
+
+/* One colour, 8 bits a channel. */
 struct gloss_colour_flat {
 	uint32_t red;
 	uint32_t green;
@@ -366,9 +439,9 @@ struct gloss_colour_flat {
 
 static inline void gloss_colour_flat_pack(uint32_t *words, const struct gloss_colour_flat *p)
 {
-	words[0] = ((uint32_t)p->red & 0xffu) |
-		((uint32_t)p->green & 0xffu) << 8 |
-		((uint32_t)p->blue & 0xffu) << 16;
+	words[0] = (p->red & 0xffu) |
+		   (p->green & 0xffu) << 8 |
+		   (p->blue & 0xffu) << 16;
 }
 
 static inline void gloss_colour_flat_unpack(const uint32_t *words, struct gloss_colour_flat *p)
@@ -378,15 +451,20 @@ static inline void gloss_colour_flat_unpack(const uint32_t *words, struct gloss_
 	p->blue = words[0] >> 16 & 0xffu;
 }
 
-/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 1 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_colour_flat_invalid(const uint32_t *words)
 {
-	if ((words[0] & 0xff000000u))
+	if (words[0] & 0xff000000u)
 		return 0;
 	return -1;
 }
 
+/* ---- colour_linear ---- */
+
 #define GLOSS_COLOUR_LINEAR_WORDS 9
+
+/* A plane a channel, s10.22: value at the anchor and its first differences in x and y. */
 struct gloss_colour_linear {
 	uint32_t red;
 	uint32_t red_dx;
@@ -401,15 +479,15 @@ struct gloss_colour_linear {
 
 static inline void gloss_colour_linear_pack(uint32_t *words, const struct gloss_colour_linear *p)
 {
-	words[0] = (uint32_t)p->red;
-	words[1] = (uint32_t)p->red_dx;
-	words[2] = (uint32_t)p->red_dy;
-	words[3] = (uint32_t)p->green;
-	words[4] = (uint32_t)p->green_dx;
-	words[5] = (uint32_t)p->green_dy;
-	words[6] = (uint32_t)p->blue;
-	words[7] = (uint32_t)p->blue_dx;
-	words[8] = (uint32_t)p->blue_dy;
+	words[0] = p->red;
+	words[1] = p->red_dx;
+	words[2] = p->red_dy;
+	words[3] = p->green;
+	words[4] = p->green_dx;
+	words[5] = p->green_dy;
+	words[6] = p->blue;
+	words[7] = p->blue_dx;
+	words[8] = p->blue_dy;
 }
 
 static inline void gloss_colour_linear_unpack(const uint32_t *words, struct gloss_colour_linear *p)
@@ -425,14 +503,22 @@ static inline void gloss_colour_linear_unpack(const uint32_t *words, struct glos
 	p->blue_dy = words[8];
 }
 
-/* Index of the first of the 9 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 9 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_colour_linear_invalid(const uint32_t *words)
 {
 	(void)words;
 	return -1;
 }
 
+/* ---- colour_second_order ---- */
+
 #define GLOSS_COLOUR_SECOND_ORDER_WORDS 18
+
+/*
+ * A second-order surface a channel, s10.22: value at the anchor, first differences in x and y
+ * there, and the constant second differences in xx, xy, yy.
+ */
 struct gloss_colour_second_order {
 	uint32_t red;
 	uint32_t red_dx;
@@ -454,29 +540,31 @@ struct gloss_colour_second_order {
 	uint32_t blue_dyy;
 };
 
-static inline void gloss_colour_second_order_pack(uint32_t *words, const struct gloss_colour_second_order *p)
+static inline void gloss_colour_second_order_pack(uint32_t *words,
+						  const struct gloss_colour_second_order *p)
 {
-	words[0] = (uint32_t)p->red;
-	words[1] = (uint32_t)p->red_dx;
-	words[2] = (uint32_t)p->red_dy;
-	words[3] = (uint32_t)p->red_dxx;
-	words[4] = (uint32_t)p->red_dxy;
-	words[5] = (uint32_t)p->red_dyy;
-	words[6] = (uint32_t)p->green;
-	words[7] = (uint32_t)p->green_dx;
-	words[8] = (uint32_t)p->green_dy;
-	words[9] = (uint32_t)p->green_dxx;
-	words[10] = (uint32_t)p->green_dxy;
-	words[11] = (uint32_t)p->green_dyy;
-	words[12] = (uint32_t)p->blue;
-	words[13] = (uint32_t)p->blue_dx;
-	words[14] = (uint32_t)p->blue_dy;
-	words[15] = (uint32_t)p->blue_dxx;
-	words[16] = (uint32_t)p->blue_dxy;
-	words[17] = (uint32_t)p->blue_dyy;
+	words[0] = p->red;
+	words[1] = p->red_dx;
+	words[2] = p->red_dy;
+	words[3] = p->red_dxx;
+	words[4] = p->red_dxy;
+	words[5] = p->red_dyy;
+	words[6] = p->green;
+	words[7] = p->green_dx;
+	words[8] = p->green_dy;
+	words[9] = p->green_dxx;
+	words[10] = p->green_dxy;
+	words[11] = p->green_dyy;
+	words[12] = p->blue;
+	words[13] = p->blue_dx;
+	words[14] = p->blue_dy;
+	words[15] = p->blue_dxx;
+	words[16] = p->blue_dxy;
+	words[17] = p->blue_dyy;
 }
 
-static inline void gloss_colour_second_order_unpack(const uint32_t *words, struct gloss_colour_second_order *p)
+static inline void gloss_colour_second_order_unpack(const uint32_t *words,
+						    struct gloss_colour_second_order *p)
 {
 	p->red = words[0];
 	p->red_dx = words[1];
@@ -498,31 +586,42 @@ static inline void gloss_colour_second_order_unpack(const uint32_t *words, struc
 	p->blue_dyy = words[17];
 }
 
-/* Index of the first of the 18 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 18 words @words with a reserved bit set or a field
+ * out of range, or -1. */
 static inline int gloss_colour_second_order_invalid(const uint32_t *words)
 {
 	(void)words;
 	return -1;
 }
 
-/* Writes the header. */
+/* ---- nop ---- */
+
+/* Does nothing; its payload is skipped unread. */
+
+/* Writes the header. @length: payload words, at most 2047. */
 static inline void gloss_nop_pack(uint32_t *words, uint32_t length)
 {
 	words[0] = (uint32_t)GLOSS_OP_NOP << 24 | length;
 }
 
+/* ---- write_memory ---- */
+
 #define GLOSS_WRITE_MEMORY_WORDS 2
+
+/* Writes the payload words after the first two (at least one) to a slot. Only between tiles. */
 struct gloss_write_memory {
 	uint32_t slot;
+	/* Bytes from the start of the slot, a multiple of 4. */
 	uint32_t offset;
 };
 
-/* Writes the header and the 2 words after it. */
-static inline void gloss_write_memory_pack(uint32_t *words, const struct gloss_write_memory *p, uint32_t length)
+/* Writes the header and the 2 words after it. @length: payload words, at most 2047. */
+static inline void gloss_write_memory_pack(uint32_t *words,
+					   const struct gloss_write_memory *p, uint32_t length)
 {
 	words[0] = (uint32_t)GLOSS_OP_WRITE_MEMORY << 24 | length;
-	words[1] = ((uint32_t)p->slot & 0xfu);
-	words[2] = (uint32_t)p->offset;
+	words[1] = p->slot & 0xfu;
+	words[2] = p->offset;
 }
 
 /* @words starts at the header. */
@@ -532,18 +631,25 @@ static inline void gloss_write_memory_unpack(const uint32_t *words, struct gloss
 	p->offset = words[2];
 }
 
-/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 2 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_write_memory_invalid(const uint32_t *words)
 {
-	if ((words[0] & 0xfffffff0u))
+	if (words[0] & 0xfffffff0u)
 		return 0;
 	return -1;
 }
 
+/* ---- read_memory ---- */
+
 #define GLOSS_READ_MEMORY_WORDS 2
+
+/* Reads words of a slot into the response stream. Only between tiles. */
 struct gloss_read_memory {
 	uint32_t slot;
+	/* Words, 1 to 65535. */
 	uint32_t count;
+	/* Bytes from the start of the slot, a multiple of 4. */
 	uint32_t offset;
 };
 
@@ -551,9 +657,9 @@ struct gloss_read_memory {
 static inline void gloss_read_memory_pack(uint32_t *words, const struct gloss_read_memory *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_READ_MEMORY << 24 | GLOSS_READ_MEMORY_WORDS;
-	words[1] = ((uint32_t)p->slot & 0xfu) |
-		((uint32_t)p->count & 0xffffu) << 16;
-	words[2] = (uint32_t)p->offset;
+	words[1] = (p->slot & 0xfu) |
+		   (p->count & 0xffffu) << 16;
+	words[2] = p->offset;
 }
 
 /* @words starts at the header. */
@@ -564,7 +670,8 @@ static inline void gloss_read_memory_unpack(const uint32_t *words, struct gloss_
 	p->offset = words[2];
 }
 
-/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 2 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_read_memory_invalid(const uint32_t *words)
 {
 	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
@@ -572,35 +679,54 @@ static inline int gloss_read_memory_invalid(const uint32_t *words)
 	return -1;
 }
 
+/* ---- counters ---- */
+
 #define GLOSS_COUNTERS_WORDS 0
+
+/*
+ * Appends four words to the response stream, counted from the start of the job, each modulo 2^32:
+ * triangles, pixels covered inside the scissor, pixels that passed the depth test, tiles ended.
+ * Only between tiles.
+ */
+
 /* Writes the header. */
 static inline void gloss_counters_pack(uint32_t *words)
 {
 	words[0] = (uint32_t)GLOSS_OP_COUNTERS << 24 | GLOSS_COUNTERS_WORDS;
 }
 
+/* ---- colour_surface ---- */
+
 #define GLOSS_COLOUR_SURFACE_WORDS 1
+
+/*
+ * Where the colour of tiles is loaded from and stored to. A pixel is a word, red in bits 7:0, then
+ * green, blue, alpha.
+ */
 struct gloss_colour_surface {
 	uint32_t slot;
+	/* Bytes from a row to the next, a multiple of 4*T. */
 	uint32_t pitch;
 };
 
-/* Writes the header and the 1 words after it. */
+/* Writes the header and the word after it. */
 static inline void gloss_colour_surface_pack(uint32_t *words, const struct gloss_colour_surface *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_COLOUR_SURFACE << 24 | GLOSS_COLOUR_SURFACE_WORDS;
-	words[1] = ((uint32_t)p->slot & 0xfu) |
-		((uint32_t)p->pitch & 0xffffu) << 16;
+	words[1] = (p->slot & 0xfu) |
+		   (p->pitch & 0xffffu) << 16;
 }
 
 /* @words starts at the header. */
-static inline void gloss_colour_surface_unpack(const uint32_t *words, struct gloss_colour_surface *p)
+static inline void gloss_colour_surface_unpack(const uint32_t *words,
+					       struct gloss_colour_surface *p)
 {
 	p->slot = words[1] & 0xfu;
 	p->pitch = words[1] >> 16;
 }
 
-/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 1 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_colour_surface_invalid(const uint32_t *words)
 {
 	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
@@ -608,18 +734,26 @@ static inline int gloss_colour_surface_invalid(const uint32_t *words)
 	return -1;
 }
 
+/* ---- depth_surface ---- */
+
 #define GLOSS_DEPTH_SURFACE_WORDS 1
+
+/*
+ * Where the depth of tiles is loaded from and stored to. A pixel is a word, depth in bits 23:0,
+ * stencil in bits 31:24; the core carries stencil from clear or load to store and does not test it.
+ */
 struct gloss_depth_surface {
 	uint32_t slot;
+	/* Bytes from a row to the next, a multiple of 4*T. */
 	uint32_t pitch;
 };
 
-/* Writes the header and the 1 words after it. */
+/* Writes the header and the word after it. */
 static inline void gloss_depth_surface_pack(uint32_t *words, const struct gloss_depth_surface *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_DEPTH_SURFACE << 24 | GLOSS_DEPTH_SURFACE_WORDS;
-	words[1] = ((uint32_t)p->slot & 0xfu) |
-		((uint32_t)p->pitch & 0xffffu) << 16;
+	words[1] = (p->slot & 0xfu) |
+		   (p->pitch & 0xffffu) << 16;
 }
 
 /* @words starts at the header. */
@@ -629,7 +763,8 @@ static inline void gloss_depth_surface_unpack(const uint32_t *words, struct glos
 	p->pitch = words[1] >> 16;
 }
 
-/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 1 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_depth_surface_invalid(const uint32_t *words)
 {
 	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
@@ -637,11 +772,22 @@ static inline int gloss_depth_surface_invalid(const uint32_t *words)
 	return -1;
 }
 
+/* ---- tile_begin ---- */
+
 #define GLOSS_TILE_BEGIN_WORDS 2
+
+/*
+ * Opens a tile. Its colour and depth are each cleared to a value or loaded from their surface, so
+ * nothing a former tile or job left on the chip can be seen. Not inside a tile.
+ */
 struct gloss_tile_begin {
 	bool colour_load;
 	bool depth_load;
+	/*
+	 * Clear value, or with colour_load the tile's byte offset in the slot, a multiple of 4*T.
+	 */
 	uint32_t colour;
+	/* Clear value, or with depth_load the tile's byte offset in the slot, a multiple of 4*T. */
 	uint32_t depth;
 };
 
@@ -649,33 +795,43 @@ struct gloss_tile_begin {
 static inline void gloss_tile_begin_pack(uint32_t *words, const struct gloss_tile_begin *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_TILE_BEGIN << 24 | GLOSS_TILE_BEGIN_WORDS |
-		((uint32_t)p->colour_load & 0x1u) << 11 |
-		((uint32_t)p->depth_load & 0x1u) << 12;
-	words[1] = (uint32_t)p->colour;
-	words[2] = (uint32_t)p->depth;
+		   (uint32_t)p->colour_load << 11 |
+		   (uint32_t)p->depth_load << 12;
+	words[1] = p->colour;
+	words[2] = p->depth;
 }
 
 /* @words starts at the header. */
 static inline void gloss_tile_begin_unpack(const uint32_t *words, struct gloss_tile_begin *p)
 {
-	p->colour_load = (words[0] >> 11 & 0x1u) != 0;
-	p->depth_load = (words[0] >> 12 & 0x1u) != 0;
+	p->colour_load = words[0] >> 11 & 0x1u;
+	p->depth_load = words[0] >> 12 & 0x1u;
 	p->colour = words[1];
 	p->depth = words[2];
 }
 
-/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 2 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_tile_begin_invalid(const uint32_t *words)
 {
 	(void)words;
 	return -1;
 }
 
+/* ---- tile_end ---- */
+
 #define GLOSS_TILE_END_WORDS 2
+
+/*
+ * Closes the tile. Answered colour comes before answered depth in the response stream. Only inside
+ * a tile.
+ */
 struct gloss_tile_end {
 	enum gloss_tile_output colour_output;
 	enum gloss_tile_output depth_output;
+	/* With store the tile's byte offset in the slot, a multiple of 4*T; else zero. */
 	uint32_t colour;
+	/* With store the tile's byte offset in the slot, a multiple of 4*T; else zero. */
 	uint32_t depth;
 };
 
@@ -683,10 +839,10 @@ struct gloss_tile_end {
 static inline void gloss_tile_end_pack(uint32_t *words, const struct gloss_tile_end *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_TILE_END << 24 | GLOSS_TILE_END_WORDS |
-		((uint32_t)p->colour_output & 0x3u) << 11 |
-		((uint32_t)p->depth_output & 0x3u) << 13;
-	words[1] = (uint32_t)p->colour;
-	words[2] = (uint32_t)p->depth;
+		   ((uint32_t)p->colour_output & 0x3u) << 11 |
+		   ((uint32_t)p->depth_output & 0x3u) << 13;
+	words[1] = p->colour;
+	words[2] = p->depth;
 }
 
 /* @words starts at the header. */
@@ -698,14 +854,19 @@ static inline void gloss_tile_end_unpack(const uint32_t *words, struct gloss_til
 	p->depth = words[2];
 }
 
-/* Index of the first of the 2 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 2 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_tile_end_invalid(const uint32_t *words)
 {
 	(void)words;
 	return -1;
 }
 
+/* ---- depth_state ---- */
+
 #define GLOSS_DEPTH_STATE_WORDS 0
+
+/* Depth test. A disabled test is ALWAYS without write. */
 struct gloss_depth_state {
 	enum gloss_compare func;
 	bool write;
@@ -715,18 +876,22 @@ struct gloss_depth_state {
 static inline void gloss_depth_state_pack(uint32_t *words, const struct gloss_depth_state *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_DEPTH_STATE << 24 | GLOSS_DEPTH_STATE_WORDS |
-		((uint32_t)p->func & 0x7u) << 11 |
-		((uint32_t)p->write & 0x1u) << 14;
+		   ((uint32_t)p->func & 0x7u) << 11 |
+		   (uint32_t)p->write << 14;
 }
 
 /* @words starts at the header. */
 static inline void gloss_depth_state_unpack(const uint32_t *words, struct gloss_depth_state *p)
 {
 	p->func = (enum gloss_compare)(words[0] >> 11 & 0x7u);
-	p->write = (words[0] >> 14 & 0x1u) != 0;
+	p->write = words[0] >> 14 & 0x1u;
 }
 
+/* ---- colour_mask ---- */
+
 #define GLOSS_COLOUR_MASK_WORDS 0
+
+/* Which channels are written. */
 struct gloss_colour_mask {
 	bool red;
 	bool green;
@@ -738,22 +903,26 @@ struct gloss_colour_mask {
 static inline void gloss_colour_mask_pack(uint32_t *words, const struct gloss_colour_mask *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_COLOUR_MASK << 24 | GLOSS_COLOUR_MASK_WORDS |
-		((uint32_t)p->red & 0x1u) << 11 |
-		((uint32_t)p->green & 0x1u) << 12 |
-		((uint32_t)p->blue & 0x1u) << 13 |
-		((uint32_t)p->alpha & 0x1u) << 14;
+		   (uint32_t)p->red << 11 |
+		   (uint32_t)p->green << 12 |
+		   (uint32_t)p->blue << 13 |
+		   (uint32_t)p->alpha << 14;
 }
 
 /* @words starts at the header. */
 static inline void gloss_colour_mask_unpack(const uint32_t *words, struct gloss_colour_mask *p)
 {
-	p->red = (words[0] >> 11 & 0x1u) != 0;
-	p->green = (words[0] >> 12 & 0x1u) != 0;
-	p->blue = (words[0] >> 13 & 0x1u) != 0;
-	p->alpha = (words[0] >> 14 & 0x1u) != 0;
+	p->red = words[0] >> 11 & 0x1u;
+	p->green = words[0] >> 12 & 0x1u;
+	p->blue = words[0] >> 13 & 0x1u;
+	p->alpha = words[0] >> 14 & 0x1u;
 }
 
+/* ---- scissor ---- */
+
 #define GLOSS_SCISSOR_WORDS 1
+
+/* Pixels with x0 <= x < x1 and y0 <= y < y1 of the tile are drawn. Each at most T. */
 struct gloss_scissor {
 	uint32_t x0;
 	uint32_t y0;
@@ -761,14 +930,14 @@ struct gloss_scissor {
 	uint32_t y1;
 };
 
-/* Writes the header and the 1 words after it. */
+/* Writes the header and the word after it. */
 static inline void gloss_scissor_pack(uint32_t *words, const struct gloss_scissor *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_SCISSOR << 24 | GLOSS_SCISSOR_WORDS;
-	words[1] = ((uint32_t)p->x0 & 0x7fu) |
-		((uint32_t)p->y0 & 0x7fu) << 8 |
-		((uint32_t)p->x1 & 0x7fu) << 16 |
-		((uint32_t)p->y1 & 0x7fu) << 24;
+	words[1] = (p->x0 & 0x7fu) |
+		   (p->y0 & 0x7fu) << 8 |
+		   (p->x1 & 0x7fu) << 16 |
+		   (p->y1 & 0x7fu) << 24;
 }
 
 /* @words starts at the header. */
@@ -780,22 +949,42 @@ static inline void gloss_scissor_unpack(const uint32_t *words, struct gloss_scis
 	p->y1 = words[1] >> 24 & 0x7fu;
 }
 
-/* Index of the first of the 1 payload words with a reserved bit set or a field out of range, or -1. */
+/* Index of the first of the 1 words @words with a reserved bit set or a field
+ * out of range, or -1. @words starts behind the header. */
 static inline int gloss_scissor_invalid(const uint32_t *words)
 {
-	if ((words[0] & 0x80808080u))
+	if (words[0] & 0x80808080u)
 		return 0;
 	return -1;
 }
 
+/* ---- triangle ---- */
+
+/*
+ * Draws a triangle's pixels in the open tile. Only inside a tile.
+ *
+ * Payload: edges, depth, alpha, colour, each in the form the header names. The length is the sum of
+ * the parts.
+ *
+ * Coefficients hold at the anchor: y is first_row, x is left.x of the first row, clamped to 0..T-1
+ * and rounded down to a multiple of anchor_align (before any scissor). At u pixels right of and v
+ * below the anchor a surface has the value i + u*dx + u(u-1)/2*dxx + v*dy + v(v-1)/2*dyy + u*v*dxy,
+ * in wrapping 32-bit (depth: 40-bit) two's complement. A channel's 8 bits are the value shifted
+ * right by colour_fraction and clamped to 0..255, depth's 24 bits the value shifted right by
+ * depth_fraction and clamped to 0..2^24-1. The sender adds the half that rounds.
+ *
+ * A pixel inside the scissor is covered. If its depth compares as depth_state says, its depth (with
+ * write) and the masked channels of its colour replace the stored ones.
+ */
 struct gloss_triangle {
 	enum gloss_geometry geometry;
 	enum gloss_shading shading;
 	bool alpha_linear;
+	/* Constant alpha; zero with alpha_linear. */
 	uint32_t alpha;
 };
 
-/* Payload words of a triangle with this header. */
+/* Payload words of a packet with this header. */
 static inline uint32_t gloss_triangle_length(const struct gloss_triangle *p)
 {
 	uint32_t length = 0;
@@ -810,7 +999,7 @@ static inline uint32_t gloss_triangle_length(const struct gloss_triangle *p)
 		length += GLOSS_DEPTH_COMPACT_WORDS;
 	if (p->geometry == GLOSS_GEOMETRY_COVERING)
 		length += GLOSS_DEPTH_WIDE_WORDS;
-	if (p->alpha_linear == 1)
+	if (p->alpha_linear)
 		length += GLOSS_ALPHA_LINEAR_WORDS;
 	if (p->shading == GLOSS_SHADING_FLAT)
 		length += GLOSS_COLOUR_FLAT_WORDS;
@@ -825,10 +1014,10 @@ static inline uint32_t gloss_triangle_length(const struct gloss_triangle *p)
 static inline void gloss_triangle_pack(uint32_t *words, const struct gloss_triangle *p)
 {
 	words[0] = (uint32_t)GLOSS_OP_TRIANGLE << 24 | gloss_triangle_length(p) |
-		((uint32_t)p->geometry & 0x3u) << 11 |
-		((uint32_t)p->shading & 0x3u) << 13 |
-		((uint32_t)p->alpha_linear & 0x1u) << 15 |
-		((uint32_t)p->alpha & 0xffu) << 16;
+		   ((uint32_t)p->geometry & 0x3u) << 11 |
+		   ((uint32_t)p->shading & 0x3u) << 13 |
+		   (uint32_t)p->alpha_linear << 15 |
+		   (p->alpha & 0xffu) << 16;
 }
 
 /* @words starts at the header. */
@@ -836,22 +1025,28 @@ static inline void gloss_triangle_unpack(const uint32_t *words, struct gloss_tri
 {
 	p->geometry = (enum gloss_geometry)(words[0] >> 11 & 0x3u);
 	p->shading = (enum gloss_shading)(words[0] >> 13 & 0x3u);
-	p->alpha_linear = (words[0] >> 15 & 0x1u) != 0;
+	p->alpha_linear = words[0] >> 15 & 0x1u;
 	p->alpha = words[0] >> 16 & 0xffu;
 }
 
+/* ---- status ---- */
+
 #define GLOSS_STATUS_WORDS 3
+
+/* What the core reports at the end of a job. */
 struct gloss_status {
 	enum gloss_fault cause;
+	/* Word offset of the fault; the stream's length without one. */
 	uint32_t offset;
+	/* Words of the response stream that are valid. */
 	uint32_t response_words;
 };
 
 static inline void gloss_status_pack(uint32_t *words, const struct gloss_status *p)
 {
-	words[0] = ((uint32_t)p->cause & 0xfu);
-	words[1] = (uint32_t)p->offset;
-	words[2] = (uint32_t)p->response_words;
+	words[0] = (uint32_t)p->cause & 0xfu;
+	words[1] = p->offset;
+	words[2] = p->response_words;
 }
 
 static inline void gloss_status_unpack(const uint32_t *words, struct gloss_status *p)
@@ -861,7 +1056,8 @@ static inline void gloss_status_unpack(const uint32_t *words, struct gloss_statu
 	p->response_words = words[2];
 }
 
-/* Is the opcode known? */
+/* ---- any packet ---- */
+
 static inline bool gloss_opcode_known(unsigned int opcode)
 {
 	switch (opcode) {
@@ -883,32 +1079,33 @@ static inline bool gloss_opcode_known(unsigned int opcode)
 	}
 }
 
-/* Are the header's reserved bits zero and its enums in range? The opcode is a known one. */
+/* Are the header's reserved bits zero and its fields in range? The opcode is a known one. */
 static inline bool gloss_header_valid(uint32_t header)
 {
 	switch (gloss_header_opcode(header)) {
 	case GLOSS_OP_NOP:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_WRITE_MEMORY:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_READ_MEMORY:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_COUNTERS:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_COLOUR_SURFACE:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_DEPTH_SURFACE:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_TILE_BEGIN:
-		return !((header & 0x00ffe000u));
+		return !(header & 0x00ffe000u);
 	case GLOSS_OP_TILE_END:
-		return !((header & 0x00ff8000u) || (header >> 11 & 0x3u) > 2 || (header >> 13 & 0x3u) > 2);
+		return !((header & 0x00ff8000u) || (header >> 11 & 0x3u) > 2 ||
+			 (header >> 13 & 0x3u) > 2);
 	case GLOSS_OP_DEPTH_STATE:
-		return !((header & 0x00ff8000u));
+		return !(header & 0x00ff8000u);
 	case GLOSS_OP_COLOUR_MASK:
-		return !((header & 0x00ff8000u));
+		return !(header & 0x00ff8000u);
 	case GLOSS_OP_SCISSOR:
-		return !((header & 0x00fff800u));
+		return !(header & 0x00fff800u);
 	case GLOSS_OP_TRIANGLE:
 		return !((header >> 11 & 0x3u) > 2 || (header >> 13 & 0x3u) > 2);
 	default:

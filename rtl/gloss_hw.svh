@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generated from rtl/gloss.xml by tools/hwgen; do not edit. Included in gloss_pkg.
 
+  // Version of this interface; a core reports it.
   localparam int unsigned Version = 1;
+  // Entries of the slot table.
   localparam int unsigned Slots = 16;
+  // Response words of COUNTERS.
   localparam int unsigned CounterWords = 4;
+  // Fraction bits of colour coefficients (s10.22).
   localparam int unsigned ColourFraction = 22;
+  // Fraction bits of depth coefficients in the core (s28.12).
   localparam int unsigned DepthFraction = 12;
+  // A compact depth coefficient (s26.6) is shifted left by this.
   localparam int unsigned DepthCompactShift = 6;
+  // The anchor of a triangle's coefficients is at a multiple of this in x.
   localparam int unsigned AnchorAlign = 8;
 
+  // Why a job stopped.
   localparam logic [3:0] FAULT_NONE = 4'd0;
   localparam logic [3:0] FAULT_OPCODE = 4'd1;
   localparam logic [3:0] FAULT_LENGTH = 4'd2;
@@ -18,6 +26,7 @@
   localparam logic [3:0] FAULT_RESPONSE = 4'd6;
   localparam logic [3:0] FAULT_MEMORY = 4'd7;
 
+  // Depth function: the fragment's depth compared with the stored one.
   localparam logic [2:0] COMPARE_NEVER = 3'd0;
   localparam logic [2:0] COMPARE_LESS = 3'd1;
   localparam logic [2:0] COMPARE_EQUAL = 3'd2;
@@ -27,18 +36,22 @@
   localparam logic [2:0] COMPARE_GEQUAL = 3'd6;
   localparam logic [2:0] COMPARE_ALWAYS = 3'd7;
 
+  // Form of a triangle's edges and depth plane.
   localparam logic [1:0] GEOMETRY_WIDE = 2'd0;
   localparam logic [1:0] GEOMETRY_COMPACT = 2'd1;
   localparam logic [1:0] GEOMETRY_COVERING = 2'd2;
 
+  // Order of the colour surfaces of a triangle.
   localparam logic [1:0] SHADING_FLAT = 2'd0;
   localparam logic [1:0] SHADING_LINEAR = 2'd1;
   localparam logic [1:0] SHADING_SECOND_ORDER = 2'd2;
 
+  // What becomes of a tile's colour or depth at its end.
   localparam logic [1:0] TILE_OUTPUT_DROP = 2'd0;
   localparam logic [1:0] TILE_OUTPUT_STORE = 2'd1;
   localparam logic [1:0] TILE_OUTPUT_ANSWER = 2'd2;
 
+  // Rights of a slot.
   localparam logic [1:0] RIGHTS_NONE = 2'd0;
   localparam logic [1:0] RIGHTS_READ = 2'd1;
   localparam logic [1:0] RIGHTS_WRITE = 2'd2;
@@ -57,6 +70,7 @@
   localparam logic [7:0] OP_SCISSOR = 8'h22;
   localparam logic [7:0] OP_TRIANGLE = 8'h30;
 
+  // Payload words of packets whose length is fixed, and of groups.
   localparam logic [10:0] READ_MEMORY_WORDS = 11'd2;
   localparam logic [10:0] COUNTERS_WORDS = 11'd0;
   localparam logic [10:0] COLOUR_SURFACE_WORDS = 11'd1;
@@ -75,36 +89,37 @@
   localparam logic [10:0] COLOUR_LINEAR_WORDS = 11'd9;
   localparam logic [10:0] COLOUR_SECOND_ORDER_WORDS = 11'd18;
 
-  // Packed structs: word 0 of a group or payload is bits 31:0 of its struct.
+  // Packed structs: the lowest word of a group or payload is bits 31:0 of its struct.
+  // A _RESERVED mask has the bits that must be zero.
 
   typedef struct packed {
-    logic [15:0] reserved_0;
+    logic [15:0] reserved_0;  // word 8
     logic [15:0] middle_dy;
-    logic [15:0] middle_m;
+    logic [15:0] middle_m;  // word 7
     logic [15:0] middle_r;
-    logic [2:0] reserved_1;
+    logic [2:0] reserved_1;  // word 6
     logic signed [12:0] middle_step;
     logic [2:0] reserved_2;
     logic signed [12:0] middle_x;
-    logic [6:0] reserved_3;
+    logic [6:0] reserved_3;  // word 5
     logic side;
     logic [1:0] reserved_4;
     logic [5:0] switch_row;
     logic [15:0] right_dy;
-    logic [15:0] right_m;
+    logic [15:0] right_m;  // word 4
     logic [15:0] right_r;
-    logic [2:0] reserved_5;
+    logic [2:0] reserved_5;  // word 3
     logic signed [12:0] right_step;
     logic [2:0] reserved_6;
     logic signed [12:0] right_x;
-    logic [1:0] reserved_7;
+    logic [1:0] reserved_7;  // word 2
     logic [5:0] last_row;
     logic [1:0] reserved_8;
     logic [5:0] first_row;
     logic [15:0] left_dy;
-    logic [15:0] left_m;
+    logic [15:0] left_m;  // word 1
     logic [15:0] left_r;
-    logic [2:0] reserved_9;
+    logic [2:0] reserved_9;  // word 0
     logic signed [12:0] left_step;
     logic [2:0] reserved_10;
     logic signed [12:0] left_x;
@@ -112,30 +127,30 @@
   localparam logic [287:0] EDGES_WIDE_RESERVED = 288'hffff000000000000e000e000fec0000000000000e000e000c0c0000000000000e000e000;
 
   typedef struct packed {
-    logic [15:0] reserved_0;
+    logic [15:0] reserved_0;  // word 5
     logic signed [7:0] middle_step;
     logic signed [7:0] middle_x;
-    logic [1:0] reserved_1;
+    logic [1:0] reserved_1;  // word 4
     logic [9:0] middle_dy;
     logic [9:0] middle_m;
     logic [9:0] middle_r;
-    logic [6:0] reserved_2;
+    logic [6:0] reserved_2;  // word 3
     logic side;
     logic [1:0] reserved_3;
     logic [5:0] switch_row;
     logic signed [7:0] right_step;
     logic signed [7:0] right_x;
-    logic [1:0] reserved_4;
+    logic [1:0] reserved_4;  // word 2
     logic [9:0] right_dy;
     logic [9:0] right_m;
     logic [9:0] right_r;
-    logic [1:0] reserved_5;
+    logic [1:0] reserved_5;  // word 1
     logic [5:0] last_row;
     logic [1:0] reserved_6;
     logic [5:0] first_row;
     logic signed [7:0] left_step;
     logic signed [7:0] left_x;
-    logic [1:0] reserved_7;
+    logic [1:0] reserved_7;  // word 0
     logic [9:0] left_dy;
     logic [9:0] left_m;
     logic [9:0] left_r;
@@ -143,27 +158,27 @@
   localparam logic [191:0] EDGES_COMPACT_RESERVED = 192'hffff0000c0000000fec00000c0000000c0c00000c0000000;
 
   typedef struct packed {
-    logic [7:0] reserved_0;
+    logic [7:0] reserved_0;  // word 3
     logic [7:0] dy_high;
     logic [7:0] dx_high;
     logic [7:0] z_high;
-    logic [31:0] dy;
-    logic [31:0] dx;
-    logic [31:0] z;
+    logic [31:0] dy;  // word 2
+    logic [31:0] dx;  // word 1
+    logic [31:0] z;  // word 0
   } depth_wide_t;
   localparam logic [127:0] DEPTH_WIDE_RESERVED = 128'hff000000000000000000000000000000;
 
   typedef struct packed {
-    logic signed [31:0] dy;
-    logic signed [31:0] dx;
-    logic signed [31:0] z;
+    logic signed [31:0] dy;  // word 2
+    logic signed [31:0] dx;  // word 1
+    logic signed [31:0] z;  // word 0
   } depth_compact_t;
   localparam logic [95:0] DEPTH_COMPACT_RESERVED = 96'h000000000000000000000000;
 
   typedef struct packed {
-    logic [31:0] a_dy;
-    logic [31:0] a_dx;
-    logic [31:0] a;
+    logic [31:0] a_dy;  // word 2
+    logic [31:0] a_dx;  // word 1
+    logic [31:0] a;  // word 0
   } alpha_linear_t;
   localparam logic [95:0] ALPHA_LINEAR_RESERVED = 96'h000000000000000000000000;
 
@@ -176,37 +191,37 @@
   localparam logic [31:0] COLOUR_FLAT_RESERVED = 32'hff000000;
 
   typedef struct packed {
-    logic [31:0] blue_dy;
-    logic [31:0] blue_dx;
-    logic [31:0] blue;
-    logic [31:0] green_dy;
-    logic [31:0] green_dx;
-    logic [31:0] green;
-    logic [31:0] red_dy;
-    logic [31:0] red_dx;
-    logic [31:0] red;
+    logic [31:0] blue_dy;  // word 8
+    logic [31:0] blue_dx;  // word 7
+    logic [31:0] blue;  // word 6
+    logic [31:0] green_dy;  // word 5
+    logic [31:0] green_dx;  // word 4
+    logic [31:0] green;  // word 3
+    logic [31:0] red_dy;  // word 2
+    logic [31:0] red_dx;  // word 1
+    logic [31:0] red;  // word 0
   } colour_linear_t;
   localparam logic [287:0] COLOUR_LINEAR_RESERVED = 288'h000000000000000000000000000000000000000000000000000000000000000000000000;
 
   typedef struct packed {
-    logic [31:0] blue_dyy;
-    logic [31:0] blue_dxy;
-    logic [31:0] blue_dxx;
-    logic [31:0] blue_dy;
-    logic [31:0] blue_dx;
-    logic [31:0] blue;
-    logic [31:0] green_dyy;
-    logic [31:0] green_dxy;
-    logic [31:0] green_dxx;
-    logic [31:0] green_dy;
-    logic [31:0] green_dx;
-    logic [31:0] green;
-    logic [31:0] red_dyy;
-    logic [31:0] red_dxy;
-    logic [31:0] red_dxx;
-    logic [31:0] red_dy;
-    logic [31:0] red_dx;
-    logic [31:0] red;
+    logic [31:0] blue_dyy;  // word 17
+    logic [31:0] blue_dxy;  // word 16
+    logic [31:0] blue_dxx;  // word 15
+    logic [31:0] blue_dy;  // word 14
+    logic [31:0] blue_dx;  // word 13
+    logic [31:0] blue;  // word 12
+    logic [31:0] green_dyy;  // word 11
+    logic [31:0] green_dxy;  // word 10
+    logic [31:0] green_dxx;  // word 9
+    logic [31:0] green_dy;  // word 8
+    logic [31:0] green_dx;  // word 7
+    logic [31:0] green;  // word 6
+    logic [31:0] red_dyy;  // word 5
+    logic [31:0] red_dxy;  // word 4
+    logic [31:0] red_dxx;  // word 3
+    logic [31:0] red_dy;  // word 2
+    logic [31:0] red_dx;  // word 1
+    logic [31:0] red;  // word 0
   } colour_second_order_t;
   localparam logic [575:0] COLOUR_SECOND_ORDER_RESERVED = 576'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000;
 
@@ -225,8 +240,8 @@
   localparam logic [31:0] WRITE_MEMORY_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
-    logic [31:0] offset;
-    logic [27:0] reserved_0;
+    logic [31:0] offset;  // word 2
+    logic [27:0] reserved_0;  // word 1
     logic [3:0] slot;
   } write_memory_t;
   localparam logic [63:0] WRITE_MEMORY_RESERVED = 64'h00000000fffffff0;
@@ -239,8 +254,8 @@
   localparam logic [31:0] READ_MEMORY_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
-    logic [31:0] offset;
-    logic [15:0] count;
+    logic [31:0] offset;  // word 2
+    logic [15:0] count;  // word 1
     logic [11:0] reserved_0;
     logic [3:0] slot;
   } read_memory_t;
@@ -291,8 +306,8 @@
   localparam logic [31:0] TILE_BEGIN_HEADER_RESERVED = 32'h00ffe000;
 
   typedef struct packed {
-    logic [31:0] depth;
-    logic [31:0] colour;
+    logic [31:0] depth;  // word 2
+    logic [31:0] colour;  // word 1
   } tile_begin_t;
   localparam logic [63:0] TILE_BEGIN_RESERVED = 64'h0000000000000000;
 
@@ -306,8 +321,8 @@
   localparam logic [31:0] TILE_END_HEADER_RESERVED = 32'h00ff8000;
 
   typedef struct packed {
-    logic [31:0] depth;
-    logic [31:0] colour;
+    logic [31:0] depth;  // word 2
+    logic [31:0] colour;  // word 1
   } tile_end_t;
   localparam logic [63:0] TILE_END_RESERVED = 64'h0000000000000000;
 
@@ -361,9 +376,9 @@
   localparam logic [31:0] TRIANGLE_HEADER_RESERVED = 32'h00000000;
 
   typedef struct packed {
-    logic [31:0] response_words;
-    logic [31:0] offset;
-    logic [27:0] reserved_0;
+    logic [31:0] response_words;  // word 2
+    logic [31:0] offset;  // word 1
+    logic [27:0] reserved_0;  // word 0
     logic [3:0] cause;
   } status_t;
   localparam logic [95:0] STATUS_RESERVED = 96'h0000000000000000fffffff0;

@@ -1,0 +1,398 @@
+/* SPDX-License-Identifier: MIT */
+/* Generated from rtl/gloss.xml by tools/hwgen; do not edit. */
+#ifndef GLOSS_TABLE_H
+#define GLOSS_TABLE_H
+
+#include "table.h"
+
+static const struct table_value table_values_fault[] = {
+	{ 0, "none" },
+	{ 1, "opcode" },
+	{ 2, "length" },
+	{ 3, "value" },
+	{ 4, "order" },
+	{ 5, "slot" },
+	{ 6, "response" },
+	{ 7, "memory" },
+};
+
+static const struct table_enum table_enum_fault = {
+	"fault", 8, table_values_fault
+};
+
+static const struct table_value table_values_compare[] = {
+	{ 0, "never" },
+	{ 1, "less" },
+	{ 2, "equal" },
+	{ 3, "lequal" },
+	{ 4, "greater" },
+	{ 5, "notequal" },
+	{ 6, "gequal" },
+	{ 7, "always" },
+};
+
+static const struct table_enum table_enum_compare = {
+	"compare", 8, table_values_compare
+};
+
+static const struct table_value table_values_geometry[] = {
+	{ 0, "wide" },
+	{ 1, "compact" },
+	{ 2, "covering" },
+};
+
+static const struct table_enum table_enum_geometry = {
+	"geometry", 3, table_values_geometry
+};
+
+static const struct table_value table_values_shading[] = {
+	{ 0, "flat" },
+	{ 1, "linear" },
+	{ 2, "second_order" },
+};
+
+static const struct table_enum table_enum_shading = {
+	"shading", 3, table_values_shading
+};
+
+static const struct table_value table_values_tile_output[] = {
+	{ 0, "drop" },
+	{ 1, "store" },
+	{ 2, "answer" },
+};
+
+static const struct table_enum table_enum_tile_output = {
+	"tile_output", 3, table_values_tile_output
+};
+
+static const struct table_value table_values_rights[] = {
+	{ 0, "none" },
+	{ 1, "read" },
+	{ 2, "write" },
+	{ 3, "read_write" },
+};
+
+static const struct table_enum table_enum_rights = {
+	"rights", 4, table_values_rights
+};
+
+static const struct table_field table_fields_edges_wide[] = {
+	{ .name = "left_x", .word = 0, .high = 12, .low = 0,
+	  .type = TABLE_INT, .min = -4096, .max = 4095 },
+	{ .name = "left_step", .word = 0, .high = 28, .low = 16,
+	  .type = TABLE_INT, .min = -4096, .max = 4095 },
+	{ .name = "left_r", .word = 1, .high = 15, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "left_m", .word = 1, .high = 31, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "left_dy", .word = 2, .high = 15, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "first_row", .word = 2, .high = 21, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "last_row", .word = 2, .high = 29, .low = 24,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "right_x", .word = 3, .high = 12, .low = 0,
+	  .type = TABLE_INT, .min = -4096, .max = 4095 },
+	{ .name = "right_step", .word = 3, .high = 28, .low = 16,
+	  .type = TABLE_INT, .min = -4096, .max = 4095 },
+	{ .name = "right_r", .word = 4, .high = 15, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "right_m", .word = 4, .high = 31, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "right_dy", .word = 5, .high = 15, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "switch_row", .word = 5, .high = 21, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "side", .word = 5, .high = 24, .low = 24,
+	  .type = TABLE_UINT, .min = 0, .max = 1 },
+	{ .name = "middle_x", .word = 6, .high = 12, .low = 0,
+	  .type = TABLE_INT, .min = -4096, .max = 4095 },
+	{ .name = "middle_step", .word = 6, .high = 28, .low = 16,
+	  .type = TABLE_INT, .min = -4096, .max = 4095 },
+	{ .name = "middle_r", .word = 7, .high = 15, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "middle_m", .word = 7, .high = 31, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+	{ .name = "middle_dy", .word = 8, .high = 15, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 65535 },
+};
+
+static const struct table_record table_edges_wide = { "edges_wide", 9, 19, table_fields_edges_wide };
+
+static const struct table_field table_fields_edges_compact[] = {
+	{ .name = "left_r", .word = 0, .high = 9, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "left_m", .word = 0, .high = 19, .low = 10,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "left_dy", .word = 0, .high = 29, .low = 20,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "left_x", .word = 1, .high = 7, .low = 0,
+	  .type = TABLE_INT, .min = -128, .max = 127 },
+	{ .name = "left_step", .word = 1, .high = 15, .low = 8,
+	  .type = TABLE_INT, .min = -128, .max = 127 },
+	{ .name = "first_row", .word = 1, .high = 21, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "last_row", .word = 1, .high = 29, .low = 24,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "right_r", .word = 2, .high = 9, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "right_m", .word = 2, .high = 19, .low = 10,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "right_dy", .word = 2, .high = 29, .low = 20,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "right_x", .word = 3, .high = 7, .low = 0,
+	  .type = TABLE_INT, .min = -128, .max = 127 },
+	{ .name = "right_step", .word = 3, .high = 15, .low = 8,
+	  .type = TABLE_INT, .min = -128, .max = 127 },
+	{ .name = "switch_row", .word = 3, .high = 21, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "side", .word = 3, .high = 24, .low = 24,
+	  .type = TABLE_UINT, .min = 0, .max = 1 },
+	{ .name = "middle_r", .word = 4, .high = 9, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "middle_m", .word = 4, .high = 19, .low = 10,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "middle_dy", .word = 4, .high = 29, .low = 20,
+	  .type = TABLE_UINT, .min = 0, .max = 1023 },
+	{ .name = "middle_x", .word = 5, .high = 7, .low = 0,
+	  .type = TABLE_INT, .min = -128, .max = 127 },
+	{ .name = "middle_step", .word = 5, .high = 15, .low = 8,
+	  .type = TABLE_INT, .min = -128, .max = 127 },
+};
+
+static const struct table_record table_edges_compact = { "edges_compact", 6, 19, table_fields_edges_compact };
+
+static const struct table_field table_fields_depth_wide[] = {
+	{ .name = "z", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "dx", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "dy", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "z_high", .word = 3, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "dx_high", .word = 3, .high = 15, .low = 8,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "dy_high", .word = 3, .high = 23, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+};
+
+static const struct table_record table_depth_wide = { "depth_wide", 4, 6, table_fields_depth_wide };
+
+static const struct table_field table_fields_depth_compact[] = {
+	{ .name = "z", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647 },
+	{ .name = "dx", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647 },
+	{ .name = "dy", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647 },
+};
+
+static const struct table_record table_depth_compact = { "depth_compact", 3, 3, table_fields_depth_compact };
+
+static const struct table_field table_fields_alpha_linear[] = {
+	{ .name = "a", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "a_dx", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "a_dy", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_record table_alpha_linear = { "alpha_linear", 3, 3, table_fields_alpha_linear };
+
+static const struct table_field table_fields_colour_flat[] = {
+	{ .name = "red", .word = 0, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "green", .word = 0, .high = 15, .low = 8,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "blue", .word = 0, .high = 23, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+};
+
+static const struct table_record table_colour_flat = { "colour_flat", 1, 3, table_fields_colour_flat };
+
+static const struct table_field table_fields_colour_linear[] = {
+	{ .name = "red", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dx", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dy", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green", .word = 3, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dx", .word = 4, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dy", .word = 5, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue", .word = 6, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dx", .word = 7, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dy", .word = 8, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_record table_colour_linear = { "colour_linear", 9, 9, table_fields_colour_linear };
+
+static const struct table_field table_fields_colour_second_order[] = {
+	{ .name = "red", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dx", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dy", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dxx", .word = 3, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dxy", .word = 4, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "red_dyy", .word = 5, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green", .word = 6, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dx", .word = 7, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dy", .word = 8, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dxx", .word = 9, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dxy", .word = 10, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "green_dyy", .word = 11, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue", .word = 12, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dx", .word = 13, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dy", .word = 14, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dxx", .word = 15, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dxy", .word = 16, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "blue_dyy", .word = 17, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_record table_colour_second_order = { "colour_second_order", 18, 18, table_fields_colour_second_order };
+
+static const struct table_field table_fields_write_memory[] = {
+	{ .name = "slot", .word = 1, .high = 3, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "offset", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_field table_fields_read_memory[] = {
+	{ .name = "slot", .word = 1, .high = 3, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "count", .word = 1, .high = 31, .low = 16,
+	  .type = TABLE_UINT, .min = 1, .max = 65535 },
+	{ .name = "offset", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_field table_fields_colour_surface[] = {
+	{ .name = "slot", .word = 1, .high = 3, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "pitch", .word = 1, .high = 31, .low = 16,
+	  .type = TABLE_UINT, .min = 1, .max = 65535 },
+};
+
+static const struct table_field table_fields_depth_surface[] = {
+	{ .name = "slot", .word = 1, .high = 3, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "pitch", .word = 1, .high = 31, .low = 16,
+	  .type = TABLE_UINT, .min = 1, .max = 65535 },
+};
+
+static const struct table_field table_fields_tile_begin[] = {
+	{ .name = "colour_load", .word = 0, .high = 11, .low = 11,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+	{ .name = "depth_load", .word = 0, .high = 12, .low = 12,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+	{ .name = "colour", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "depth", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_field table_fields_tile_end[] = {
+	{ .name = "colour_output", .word = 0, .high = 12, .low = 11,
+	  .type = TABLE_ENUM, .min = 0, .max = 3, .enumeration = &table_enum_tile_output },
+	{ .name = "depth_output", .word = 0, .high = 14, .low = 13,
+	  .type = TABLE_ENUM, .min = 0, .max = 3, .enumeration = &table_enum_tile_output },
+	{ .name = "colour", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	{ .name = "depth", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+};
+
+static const struct table_field table_fields_depth_state[] = {
+	{ .name = "func", .word = 0, .high = 13, .low = 11,
+	  .type = TABLE_ENUM, .min = 0, .max = 7, .enumeration = &table_enum_compare },
+	{ .name = "write", .word = 0, .high = 14, .low = 14,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+};
+
+static const struct table_field table_fields_colour_mask[] = {
+	{ .name = "red", .word = 0, .high = 11, .low = 11,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+	{ .name = "green", .word = 0, .high = 12, .low = 12,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+	{ .name = "blue", .word = 0, .high = 13, .low = 13,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+	{ .name = "alpha", .word = 0, .high = 14, .low = 14,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+};
+
+static const struct table_field table_fields_scissor[] = {
+	{ .name = "x0", .word = 1, .high = 6, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 127 },
+	{ .name = "y0", .word = 1, .high = 14, .low = 8,
+	  .type = TABLE_UINT, .min = 0, .max = 127 },
+	{ .name = "x1", .word = 1, .high = 22, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 127 },
+	{ .name = "y1", .word = 1, .high = 30, .low = 24,
+	  .type = TABLE_UINT, .min = 0, .max = 127 },
+};
+
+static const struct table_field table_fields_triangle[] = {
+	{ .name = "geometry", .word = 0, .high = 12, .low = 11,
+	  .type = TABLE_ENUM, .min = 0, .max = 3, .enumeration = &table_enum_geometry },
+	{ .name = "shading", .word = 0, .high = 14, .low = 13,
+	  .type = TABLE_ENUM, .min = 0, .max = 3, .enumeration = &table_enum_shading },
+	{ .name = "alpha_linear", .word = 0, .high = 15, .low = 15,
+	  .type = TABLE_BOOL, .min = 0, .max = 1 },
+	{ .name = "alpha", .word = 0, .high = 23, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+};
+
+static const struct table_part table_parts_triangle[] = {
+	{ &table_edges_wide, false, 12, 11, 0 },
+	{ &table_edges_compact, false, 12, 11, 1 },
+	{ &table_depth_wide, false, 12, 11, 0 },
+	{ &table_depth_compact, false, 12, 11, 1 },
+	{ &table_depth_wide, false, 12, 11, 2 },
+	{ &table_alpha_linear, false, 15, 15, 1 },
+	{ &table_colour_flat, false, 14, 13, 0 },
+	{ &table_colour_linear, false, 14, 13, 1 },
+	{ &table_colour_second_order, false, 14, 13, 2 },
+};
+
+static const struct table_packet table_packets[] = {
+	{ 0x00, true, { "nop", 0, 0, 0 }, 0, 0 },
+	{ 0x01, true, { "write_memory", 2, 2, table_fields_write_memory }, 0, 0 },
+	{ 0x02, false, { "read_memory", 2, 3, table_fields_read_memory }, 0, 0 },
+	{ 0x03, false, { "counters", 0, 0, 0 }, 0, 0 },
+	{ 0x08, false, { "colour_surface", 1, 2, table_fields_colour_surface }, 0, 0 },
+	{ 0x09, false, { "depth_surface", 1, 2, table_fields_depth_surface }, 0, 0 },
+	{ 0x10, false, { "tile_begin", 2, 4, table_fields_tile_begin }, 0, 0 },
+	{ 0x11, false, { "tile_end", 2, 4, table_fields_tile_end }, 0, 0 },
+	{ 0x20, false, { "depth_state", 0, 2, table_fields_depth_state }, 0, 0 },
+	{ 0x21, false, { "colour_mask", 0, 4, table_fields_colour_mask }, 0, 0 },
+	{ 0x22, false, { "scissor", 1, 4, table_fields_scissor }, 0, 0 },
+	{ 0x30, true, { "triangle", 0, 4, table_fields_triangle }, 9, table_parts_triangle },
+};
+
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+/* Arguments in, files out. An output is written beside its place and moved there, and only if it
+ * differs, so that nothing is rebuilt for nothing and nobody sees half of it. */
+#include <errno.h>
+#include <getopt.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "hwgen.h"
+
+static const char usage[] =
+	"usage: hwgen [--c FILE] [--sv FILE] [--table FILE] [--manual FILE] INTERFACE.xml\n"
+	"Checks an interface and writes what is asked for:\n"
+	"  --c FILE       C packers and unpackers\n"
+	"  --sv FILE      SystemVerilog constants and packed structs\n"
+	"  --table FILE   the table of gloss-decode\n"
+	"  --manual FILE  the manual, in Markdown\n";
+
+/* Everything hw_alloc gave out, so that a leak checker finds it. */
+static struct block {
+	struct block *next;
+} *blocks;
+
+void hw_fail(const char *path, unsigned long line, const char *format, ...)
+{
+	va_list arguments;
+
+	fprintf(stderr, line ? "%s:%lu: " : "%s: ", path, line);
+	va_start(arguments, format);
+	vfprintf(stderr, format, arguments);
+	va_end(arguments);
+	fputc('\n', stderr);
+	exit(1);
+}
+
+void *hw_alloc(size_t size)
+{
+	struct block *block = calloc(1, sizeof(*block) + size);
+
+	if (!block)
+		hw_fail("hwgen", 0, "out of memory");
+	block->next = blocks;
+	blocks = block;
+	return block + 1;
+}
+
+char *hw_copy(const char *text, size_t length)
+{
+	char *copy = hw_alloc(length + 1);
+
+	if (length)
+		memcpy(copy, text, length);
+	return copy;
+}
+
+static bool same(const char *path, const char *data, size_t size)
+{
+	FILE *file = fopen(path, "rb");
+	bool equal = file;
+	size_t i;
+
+	for (i = 0; equal && i < size; i++)
+		equal = getc(file) == (unsigned char)data[i];
+	if (equal)
+		equal = getc(file) == EOF && !ferror(file);
+	if (file)
+		fclose(file);
+	return equal;
+}
+
+static bool put(int fd, const char *data, size_t size)
+{
+	FILE *file = fdopen(fd, "wb");
+	bool ok;
+
+	if (!file) {
+		close(fd);
+		return false;
+	}
+	ok = fwrite(data, 1, size, file) == size;
+	return !fclose(file) && ok;
+}
+
+static void replace(const char *path, const char *data, size_t size)
+{
+	struct stat status;
+	size_t size_max = strlen(path) + sizeof(".XXXXXX");
+	char *temporary = hw_alloc(size_max);
+	mode_t mask = umask(0);
+	int fd, error;
+
+	umask(mask);
+	if (!stat(path, &status) && !S_ISREG(status.st_mode))
+		hw_fail(path, 0, "not a regular file");
+	snprintf(temporary, size_max, "%s.XXXXXX", path);
+	fd = mkstemp(temporary);
+	if (fd < 0)
+		hw_fail(path, 0, "%s", strerror(errno));
+	if (fchmod(fd, 0666 & ~mask) || !put(fd, data, size) || rename(temporary, path)) {
+		error = errno;
+		unlink(temporary);
+		hw_fail(path, 0, "%s", strerror(error));
+	}
+}
+
+static void output(const char *path, void (*write)(FILE *out, const struct hw_interface *hw),
+		   const struct hw_interface *hw)
+{
+	char *data = NULL;
+	size_t size = 0;
+	FILE *out = open_memstream(&data, &size);
+
+	if (!out)
+		hw_fail(path, 0, "%s", strerror(errno));
+	write(out, hw);
+	if (fclose(out))
+		hw_fail(path, 0, "%s", strerror(errno));
+	if (!same(path, data, size))
+		replace(path, data, size);
+	free(data);
+}
+
+int main(int argc, char **argv)
+{
+	static void (*const writers[])(FILE *, const struct hw_interface *) = {
+		hw_write_c, hw_write_sv, hw_write_table, hw_write_manual
+	};
+	static const struct option options[] = {
+		{ "c", required_argument, NULL, 0 },
+		{ "sv", required_argument, NULL, 1 },
+		{ "table", required_argument, NULL, 2 },
+		{ "manual", required_argument, NULL, 3 },
+		{ NULL, 0, NULL, 0 }
+	};
+	const char *paths[4] = { NULL };
+	struct hw_interface hw = { NULL };
+	int option;
+
+	while ((option = getopt_long(argc, argv, "", options, NULL)) != -1) {
+		if (option == '?') {
+			fputs(usage, stderr);
+			return 2;
+		}
+		paths[option] = optarg;
+	}
+	if (argc - optind != 1) {
+		fputs(usage, stderr);
+		return 2;
+	}
+	hw_read(argv[optind], &hw);
+	hw_check(&hw);
+	hw_check_names(&hw);
+	for (int i = 0; i < 4; i++) {
+		if (paths[i])
+			output(paths[i], writers[i], &hw);
+	}
+	while (blocks) {
+		struct block *next = blocks->next;
+
+		free(blocks);
+		blocks = next;
+	}
+	return 0;
+}

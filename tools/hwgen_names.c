@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+/*
+ * Claims every identifier the writers write, in the scope they write it in. A
+ * claim fails for a keyword of the language and for a name that is taken, so
+ * two names that only clash once they are spelled for C or SystemVerilog are
+ * found here, with their lines, and not by a compiler.
+ */
+#include <stdarg.h>
+#include <string.h>
+
+#include "hwgen.h"
+
+struct name {
+	struct name *next;
+	unsigned long line;		/* 0: hwgen's own */
+	char text[];
+};
+
+struct scope {
+	const char *path;
+	const char *(*keyword)(const char *name);
+	struct name *names;
+};
+
+static void __attribute__((format(printf, 3, 4)))
+claim(struct scope *scope, unsigned long line, const char *format, ...)
+{
+	struct name *name = hw_alloc(sizeof(*name) + 2 * HW_NAME_MAX);
+	va_list arguments;
+
+	name->line = line;
+	va_start(arguments, format);
+	vsnprintf(name->text, (size_t)2 * HW_NAME_MAX, format, arguments);
+	va_end(arguments);
+	if (scope->keyword(name->text))
+		hw_fail(scope->path, line, "'%s' is a keyword of %s", name->text,
+			scope->keyword(name->text));
+	for (const struct name *other = scope->names; other; other = other->next) {
+		if (!hw_same(other->text, name->text))
+			continue;
+		if (!other->line)
+			hw_fail(scope->path, line, "'%s' is a name hwgen writes itself", name->text);
+		hw_fail(scope->path, line, "'%s' is already in line %lu", name->text, other->line);
+	}
+	name->next = scope->names;
+	scope->names = name;
+}
+
+/* a-z, then a-z, 0-9 and single underscores, not at the end: what is an identifier, and none of
+ * the reserved ones, in all three languages, in either case. */
+static void check_spelling(const char *path, unsigned long line, const char *name)
+{
+	bool good = name[0] >= 'a' && name[0] <= 'z';
+
+	for (const char *c = name; *c && good; c++)
+		good = (*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9') ||
+		       (*c == '_' && c[1] && c[1] != '_');
+	if (!good || strlen(name) > HW_NAME_MAX / 4)
+		hw_fail(path, line, "'%s' is not a name: a-z, then a-z, 0-9 and single '_' between, up to %u",
+			name, HW_NAME_MAX / 4);
+}
+
+static void spell_all(const struct hw_interface *hw)
+{
+	check_spelling(hw->path, hw->line, hw->name);
+	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next)
+		check_spelling(hw->path, constant->line, constant->name);
+	for (const struct hw_enum *enumeration = hw->enums; enumeration;
+	     enumeration = enumeration->next) {
+		check_spelling(hw->path, enumeration->line, enumeration->name);
+		for (const struct hw_value *value = enumeration->values; value; value = value->next)
+			check_spelling(hw->path, value->line, value->name);
+	}
+	for (const struct hw_record *record = hw->records; record; record = record->next) {
+		check_spelling(hw->path, record->line, record->name);
+		for (const struct hw_field *field = record->fields; field; field = field->next)
+			check_spelling(hw->path, field->line, field->name);
+	}
+}
+
+static void claim_fields(const struct hw_interface *hw, const struct hw_record *record)
+{
+	struct scope c = { hw->path, hw_keyword_c, NULL };
+	struct scope sv = { hw->path, hw_keyword_sv, NULL };
+
+	if (record->kind == HW_PACKET) {
+		claim(&sv, 0, "opcode");
+		claim(&sv, 0, "length");
+	}
+	for (const struct hw_field *field = record->fields; field; field = field->next) {
+		claim(&c, field->line, "%s", field->name);
+		claim(&sv, field->line, "%s", field->name);
+		if (!strncmp(field->name, "reserved_", 9))
+			hw_fail(hw->path, field->line, "'%s': hwgen names reserved bits so",
+				field->name);
+	}
+}
+
+static void claim_c(const struct hw_interface *hw)
+{
+	struct scope macros = { hw->path, hw_keyword_c, NULL };	/* and enum values */
+	struct scope tags = macros, functions = macros;
+	char upper[HW_NAME_MAX], value_upper[HW_NAME_MAX];
+
+	claim(&macros, 0, "LENGTH_MAX");
+	claim(&tags, 0, "opcode");
+	claim(&functions, 0, "header_opcode");
+	claim(&functions, 0, "header_length");
+	claim(&functions, 0, "header_valid");
+	claim(&functions, 0, "opcode_known");
+	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next)
+		claim(&macros, constant->line, "%s", hw_upper(upper, constant->name));
+	for (const struct hw_enum *enumeration = hw->enums; enumeration;
+	     enumeration = enumeration->next) {
+		claim(&tags, enumeration->line, "%s", enumeration->name);
+		hw_upper(upper, enumeration->name);
+		for (const struct hw_value *value = enumeration->values; value; value = value->next)
+			claim(&macros, value->line, "%s_%s", upper,
+			      hw_upper(value_upper, value->name));
+	}
+	for (const struct hw_record *record = hw->records; record; record = record->next) {
+		hw_upper(upper, record->name);
+		claim(&tags, record->line, "%s", record->name);
+		claim(&macros, record->line, "%s_WORDS", upper);
+		if (record->kind == HW_PACKET)
+			claim(&macros, record->line, "OP_%s", upper);
+		claim(&functions, record->line, "%s_length", record->name);
+		claim(&functions, record->line, "%s_pack", record->name);
+		claim(&functions, record->line, "%s_unpack", record->name);
+		claim(&functions, record->line, "%s_invalid", record->name);
+	}
+}
+
+static void claim_sv(const struct hw_interface *hw)
+{
+	struct scope package = { hw->path, hw_keyword_sv, NULL };
+	char upper[HW_NAME_MAX], value_upper[HW_NAME_MAX];
+
+	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next)
+		claim(&package, constant->line, "%s", hw_camel(upper, constant->name));
+	for (const struct hw_enum *enumeration = hw->enums; enumeration;
+	     enumeration = enumeration->next) {
+		hw_upper(upper, enumeration->name);
+		for (const struct hw_value *value = enumeration->values; value; value = value->next)
+			claim(&package, value->line, "%s_%s", upper,
+			      hw_upper(value_upper, value->name));
+	}
+	for (const struct hw_record *record = hw->records; record; record = record->next) {
+		hw_upper(upper, record->name);
+		claim(&package, record->line, "%s_t", record->name);
+		claim(&package, record->line, "%s_WORDS", upper);
+		claim(&package, record->line, "%s_RESERVED", upper);
+		if (record->kind != HW_PACKET)
+			continue;
+		claim(&package, record->line, "OP_%s", upper);
+		claim(&package, record->line, "%s_header_t", record->name);
+		claim(&package, record->line, "%s_HEADER_RESERVED", upper);
+	}
+}
+
+void hw_check_names(const struct hw_interface *hw)
+{
+	spell_all(hw);
+	for (const struct hw_record *record = hw->records; record; record = record->next)
+		claim_fields(hw, record);
+	claim_c(hw);
+	claim_sv(hw);
+}

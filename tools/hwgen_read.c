@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: MIT
+/* Reads the XML into the structs of hwgen.h. What is refused here is what can be seen at one
+ * element: its place, its attributes, and numbers that are not numbers. */
+#include <errno.h>
+#include <expat.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "hwgen.h"
+
+#define DEPTH_MAX	8
+#define ATTRIBUTES_MAX	8
+
+struct reader {
+	XML_Parser parser;
+	struct hw_interface *hw;
+	struct hw_enum *enumeration;		/* the last one begun */
+	struct hw_record *record;
+	const char *attribute[ATTRIBUTES_MAX];	/* of the element being begun, by its table */
+
+	unsigned int depth;
+	struct {
+		const struct element *element;
+		const char **doc;		/* where a <doc> in it goes */
+	} open[DEPTH_MAX];
+
+	char *text;				/* of the open <doc> */
+	size_t text_size;
+	bool in_doc;
+	unsigned long doc_line;
+};
+
+struct element {
+	const char *name;
+	const char *parents;			/* names with a space before and behind each */
+	const char *attributes[ATTRIBUTES_MAX];	/* with '?' before it: may be left out */
+	const char **(*begin)(struct reader *reader, const struct element *element);
+};
+
+static unsigned long line_of(const struct reader *reader)
+{
+	return XML_GetCurrentLineNumber(reader->parser);
+}
+
+#define FAIL(reader, ...) hw_fail((reader)->hw->path, line_of(reader), __VA_ARGS__)
+
+#define APPEND(list, item) do {				\
+	__typeof__(list) *end_ = &(list);		\
+	while (*end_)					\
+		end_ = &(*end_)->next;			\
+	*end_ = (item);					\
+} while (0)
+
+static int64_t read_number(const struct reader *reader, const char *what, const char *text,
+			   int64_t min, int64_t max)
+{
+	const char *digits = text + (*text == '-');
+	bool hex = digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X');
+	const char *set = hex ? "0123456789abcdefABCDEF" : "0123456789";
+	long long value;
+
+	digits += hex ? 2 : 0;
+	if (!*digits || digits[strspn(digits, set)])
+		FAIL(reader, "%s '%s' is not a number", what, text);
+	errno = 0;
+	value = strtoll(text, NULL, hex ? 16 : 10);
+	if (errno || value < min || value > max)
+		FAIL(reader, "%s %s is not between %lld and %lld", what, text, (long long)min,
+		     (long long)max);
+	return value;
+}
+
+/* "high:low" */
+static void read_bits(const struct reader *reader, const char *text, struct hw_field *field)
+{
+	const char *colon = strchr(text, ':');
+	char high[8] = "";
+
+	if (!colon || (size_t)(colon - text) >= sizeof(high))
+		FAIL(reader, "bits '%s' are not of the form high:low", text);
+	memcpy(high, text, (size_t)(colon - text));
+	field->high = (unsigned int)read_number(reader, "high bit", high, 0, 31);
+	field->low = (unsigned int)read_number(reader, "low bit", colon + 1, 0, 31);
+	if (field->high < field->low)
+		FAIL(reader, "bits '%s': high is below low", text);
+}
+
+static const char **begin_interface(struct reader *reader, const struct element *element)
+{
+	struct hw_interface *hw = reader->hw;
+
+	(void)element;
+	hw->line = line_of(reader);
+	hw->name = hw_copy(reader->attribute[0], strlen(reader->attribute[0]));
+	hw->version = (uint32_t)read_number(reader, "version", reader->attribute[1], 0, UINT32_MAX);
+	return &hw->doc;
+}
+
+static const char *copy(const char *text)
+{
+	return text ? hw_copy(text, strlen(text)) : NULL;
+}
+
+static const char **begin_constant(struct reader *reader, const struct element *element)
+{
+	struct hw_constant *constant = hw_alloc(sizeof(*constant));
+
+	(void)element;
+	constant->line = line_of(reader);
+	constant->name = copy(reader->attribute[0]);
+	constant->value = (uint32_t)read_number(reader, "value", reader->attribute[1], 0, UINT32_MAX);
+	APPEND(reader->hw->constants, constant);
+	return &constant->doc;
+}
+
+static const char **begin_enum(struct reader *reader, const struct element *element)
+{
+	struct hw_enum *enumeration = hw_alloc(sizeof(*enumeration));
+
+	(void)element;
+	enumeration->line = line_of(reader);
+	enumeration->name = copy(reader->attribute[0]);
+	enumeration->bits = (unsigned int)read_number(reader, "bits", reader->attribute[1], 1, 31);
+	APPEND(reader->hw->enums, enumeration);
+	reader->enumeration = enumeration;
+	return &enumeration->doc;
+}
+
+static const char **begin_value(struct reader *reader, const struct element *element)
+{
+	struct hw_value *value = hw_alloc(sizeof(*value));
+
+	(void)element;
+	value->line = line_of(reader);
+	value->name = copy(reader->attribute[0]);
+	value->value = (uint32_t)read_number(reader, "value", reader->attribute[1], 0, UINT32_MAX);
+	APPEND(reader->enumeration->values, value);
+	return &value->doc;
+}
+
+static struct hw_record *add_record(struct reader *reader, enum hw_kind kind, const char *words)
+{
+	struct hw_record *record = hw_alloc(sizeof(*record));
+
+	record->kind = kind;
+	record->line = line_of(reader);
+	record->name = copy(reader->attribute[0]);
+	record->has_words = words;
+	if (words)
+		record->words = (unsigned int)read_number(reader, "words", words,
+							  kind == HW_PACKET ? 0 : 1,
+							  HW_LENGTH_MAX);
+	APPEND(reader->hw->records, record);
+	reader->record = record;
+	return record;
+}
+
+/* <group> and <struct> */
+static const char **begin_words(struct reader *reader, const struct element *element)
+{
+	enum hw_kind kind = !hw_same(element->name, "group") ? HW_STRUCT : HW_GROUP;
+
+	return &add_record(reader, kind, reader->attribute[1])->doc;
+}
+
+static const char **begin_packet(struct reader *reader, const struct element *element)
+{
+	struct hw_record *record = add_record(reader, HW_PACKET, reader->attribute[2]);
+	const char *variable = reader->attribute[3];
+
+	(void)element;
+	record->opcode = (unsigned int)read_number(reader, "opcode", reader->attribute[1], 0, 255);
+	if (variable && !hw_same(variable, "yes") && !hw_same(variable, "no"))
+		FAIL(reader, "variable is '%s', not 'yes' or 'no'", variable);
+	record->variable = variable && hw_same(variable, "yes");
+	if (!record->variable && !record->has_words)
+		FAIL(reader, "packet '%s' has neither words nor variable=\"yes\"", record->name);
+	return &record->doc;
+}
+
+static const char **begin_field(struct reader *reader, const struct element *element)
+{
+	struct hw_field *field = hw_alloc(sizeof(*field));
+	const char *const *attribute = reader->attribute;
+
+	(void)element;
+	field->line = line_of(reader);
+	field->name = copy(attribute[0]);
+	field->word = (unsigned int)read_number(reader, "word", attribute[1], 0, HW_LENGTH_MAX);
+	read_bits(reader, attribute[2], field);
+	field->type_name = attribute[3] ? copy(attribute[3]) : "uint";
+	field->has_min = attribute[4];
+	if (attribute[4])
+		field->min = read_number(reader, "min", attribute[4], INT32_MIN, UINT32_MAX);
+	field->has_max = attribute[5];
+	if (attribute[5])
+		field->max = read_number(reader, "max", attribute[5], INT32_MIN, UINT32_MAX);
+	field->format = copy(attribute[6]);
+	field->above_name = copy(attribute[7]);
+	APPEND(reader->record->fields, field);
+	return &field->doc;
+}
+
+static const char **begin_part(struct reader *reader, const struct element *element)
+{
+	struct hw_part *part = hw_alloc(sizeof(*part));
+
+	(void)element;
+	part->line = line_of(reader);
+	part->group_name = copy(reader->attribute[0]);
+	part->if_name = copy(reader->attribute[1]);
+	part->is_name = copy(reader->attribute[2]);
+	if (!part->if_name != !part->is_name)
+		FAIL(reader, "part '%s' needs both 'if' and 'is', or neither", part->group_name);
+	APPEND(reader->record->parts, part);
+	return NULL;
+}
+
+static const char **begin_doc(struct reader *reader, const struct element *element)
+{
+	const char **doc = reader->open[reader->depth - 1].doc;
+
+	(void)element;
+	if (!doc || *doc)
+		FAIL(reader, "<%s> %s", reader->open[reader->depth - 1].element->name,
+		     doc ? "has a second <doc>" : "takes no <doc>");
+	reader->in_doc = true;
+	reader->doc_line = line_of(reader);
+	reader->text_size = 0;
+	return NULL;
+}
+
+static const struct element elements[] = {
+	{ "interface", "", { "name", "version" }, begin_interface },
+	{ "constant", " interface ", { "name", "value" }, begin_constant },
+	{ "enum", " interface ", { "name", "bits" }, begin_enum },
+	{ "value", " enum ", { "name", "value" }, begin_value },
+	{ "group", " interface ", { "name", "words" }, begin_words },
+	{ "packet", " interface ", { "name", "opcode", "?words", "?variable" }, begin_packet },
+	{ "struct", " interface ", { "name", "words" }, begin_words },
+	{ "field", " group packet struct ",
+	  { "name", "word", "bits", "?type", "?min", "?max", "?format", "?above" }, begin_field },
+	{ "part", " packet ", { "group", "?if", "?is" }, begin_part },
+	{ "doc", " interface constant enum value group packet struct field part ", { NULL },
+	  begin_doc },
+};
+
+static const struct element *find_element(const struct reader *reader, const char *name)
+{
+	const char *parent = reader->depth ? reader->open[reader->depth - 1].element->name : "";
+	char key[32];
+
+	for (size_t i = 0; i < sizeof(elements) / sizeof(elements[0]); i++) {
+		if (!hw_same(elements[i].name, name))
+			continue;
+		snprintf(key, sizeof(key), " %s ", parent);
+		if (reader->depth ? !strstr(elements[i].parents, key) : *elements[i].parents)
+			break;
+		return &elements[i];
+	}
+	if (!reader->depth)
+		FAIL(reader, "the outermost element is <%s>, not <interface>", name);
+	FAIL(reader, "<%s> does not belong in <%s>", name, parent);
+}
+
+/* Sorts the attributes into reader->attribute by the element's table. */
+static void take_attributes(struct reader *reader, const struct element *element,
+			    const char **attributes)
+{
+	memset(reader->attribute, 0, sizeof(reader->attribute));
+	for (; *attributes; attributes += 2) {
+		unsigned int i = 0;
+
+		while (i < ATTRIBUTES_MAX && element->attributes[i] &&
+		       !hw_same(element->attributes[i] + (element->attributes[i][0] == '?'),
+			      attributes[0]))
+			i++;
+		if (i == ATTRIBUTES_MAX || !element->attributes[i])
+			FAIL(reader, "<%s> has no attribute '%s'", element->name, attributes[0]);
+		reader->attribute[i] = attributes[1];
+	}
+	for (unsigned int i = 0; i < ATTRIBUTES_MAX && element->attributes[i]; i++) {
+		if (!reader->attribute[i] && element->attributes[i][0] != '?')
+			FAIL(reader, "<%s> lacks the attribute '%s'", element->name,
+			     element->attributes[i]);
+	}
+}
+
+static void XMLCALL on_start(void *data, const char *name, const char **attributes)
+{
+	struct reader *reader = data;
+	const struct element *element = find_element(reader, name);
+	const char **doc;
+
+	take_attributes(reader, element, attributes);
+	doc = element->begin(reader, element);
+	/* No path through the table is as long as DEPTH_MAX. */
+	reader->open[reader->depth].element = element;
+	reader->open[reader->depth].doc = doc;
+	reader->depth++;
+}
+
+static void XMLCALL on_end(void *data, const char *name)
+{
+	struct reader *reader = data;
+
+	(void)name;
+	reader->depth--;
+	if (!reader->in_doc)
+		return;
+	reader->in_doc = false;
+	*reader->open[reader->depth - 1].doc = hw_copy(reader->text, reader->text_size);
+	if (strstr(*reader->open[reader->depth - 1].doc, "/*") ||
+	    strstr(*reader->open[reader->depth - 1].doc, "*/"))
+		hw_fail(reader->hw->path, reader->doc_line,
+			"a <doc> may not have the marks of a C comment in it");
+}
+
+static void XMLCALL on_text(void *data, const char *text, int length)
+{
+	struct reader *reader = data;
+
+	if (reader->in_doc) {
+		char *grown = realloc(reader->text, reader->text_size + (size_t)length);
+
+		if (!grown)
+			hw_fail(reader->hw->path, 0, "out of memory");
+		reader->text = grown;
+		memcpy(reader->text + reader->text_size, text, (size_t)length);
+		reader->text_size += (size_t)length;
+		return;
+	}
+	for (int i = 0; i < length; i++) {
+		if (!strchr(" \t\r\n", text[i]))
+			FAIL(reader, "text outside <doc>");
+	}
+}
+
+static void parse(struct reader *reader, FILE *file)
+{
+	char buffer[8192];
+	size_t size;
+
+	do {
+		size = fread(buffer, 1, sizeof(buffer), file);
+		if (ferror(file))
+			hw_fail(reader->hw->path, 0, "%s", strerror(errno));
+		if (!XML_Parse(reader->parser, buffer, (int)size, size == 0))
+			FAIL(reader, "%s", XML_ErrorString(XML_GetErrorCode(reader->parser)));
+	} while (size);
+}
+
+void hw_read(const char *path, struct hw_interface *hw)
+{
+	struct reader reader = { .hw = hw };
+	FILE *file = fopen(path, "rb");
+
+	hw->path = path;
+	if (!file)
+		hw_fail(path, 0, "%s", strerror(errno));
+	reader.parser = XML_ParserCreate(NULL);
+	if (!reader.parser)
+		hw_fail(path, 0, "out of memory");
+	XML_SetUserData(reader.parser, &reader);
+	XML_SetElementHandler(reader.parser, on_start, on_end);
+	XML_SetCharacterDataHandler(reader.parser, on_text);
+	parse(&reader, file);
+	XML_ParserFree(reader.parser);
+	free(reader.text);
+	fclose(file);
+}

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# hwgen and what it makes, gloss-decode, and their tests.
+
+HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tools/hwgen*.c))
+HWGEN := $(BUILD)/hwgen
+
+$(HWGEN_OBJECTS): $(BUILD)/%.o: %.c
+	$(call quiet,CC,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+
+$(HWGEN): $(HWGEN_OBJECTS)
+	$(call quiet,LD,$@)
+	$(Q)$(CC) $(CFLAGS) -o $@ $^ -lexpat
+
+-include $(HWGEN_OBJECTS:.o=.d)
+
+.PHONY: generate check-generated
+generate: $(HWGEN) ## rewrite what is made from rtl/gloss.xml
+	$(Q)$(HWGEN) --c libaccel/gloss_packets.h --sv rtl/gloss_hw.svh \
+		--table tools/gloss_table.h --manual rtl/INTERFACE.md rtl/gloss.xml
+
+check-generated: $(HWGEN) ## fail if a generated file differs from rtl/gloss.xml
+	$(call quiet,CHECK,rtl/gloss.xml)
+	$(Q)xmllint --noout --dtdvalid rtl/gloss.dtd rtl/gloss.xml
+	$(Q)mkdir -p $(BUILD)/generated
+	$(Q)$(HWGEN) --c $(BUILD)/generated/gloss_packets.h --sv $(BUILD)/generated/gloss_hw.svh \
+		--table $(BUILD)/generated/gloss_table.h \
+		--manual $(BUILD)/generated/INTERFACE.md rtl/gloss.xml
+	$(Q)for file in libaccel/gloss_packets.h rtl/gloss_hw.svh tools/gloss_table.h \
+			rtl/INTERFACE.md; do \
+		diff -u "$$file" "$(BUILD)/generated/$${file##*/}" && continue; \
+		echo "$$file is not what rtl/gloss.xml says: run 'make generate' and commit it" >&2; \
+		exit 1; \
+	done
