@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Beats to words: shows the next StreamBits/32 words of the job at whatever word they start, and counts the words
+// left. A beat is fetched only if the job has words in it, so the next job's wait; what is left over of a job's last
+// beat is forgotten at the next start. From the port to words_o a beat takes one clock, with several words a beat two.
+module command_align #(
+  parameter int unsigned StreamBits = 32
+) (
+  input  logic                               clk_i,
+  input  logic                               rst_ni,
+
+  input  logic                               start_i, // nothing is taken in the two clocks after
+  input  logic [31:0]                        words_i, // of the job
+
+  input  logic                               stream_valid_i,
+  output logic                               stream_ready_o,
+  input  logic [StreamBits-1:0]              stream_data_i,
+
+  output logic [StreamBits-1:0]              words_o, // the next word in the low bits
+  output logic [$clog2(StreamBits/32+1)-1:0] have_o,  // how many of them are there
+  input  logic [$clog2(StreamBits/32+1)-1:0] take_i,  // at most have_o
+  output logic                               end_o,   // all words of the job were taken
+  output logic [31:0]                        left_o
+);
+
+  localparam int unsigned Lanes = StreamBits / 32;
+  localparam int unsigned CountBits = $clog2(Lanes + 1);
+
+  logic [31:0]           left_q;
+  // Left was at least 4*Lanes a clock ago, so it is more than Lanes now; else its low bits tell all. Keeps the wide
+  // comparison out of the way from the stream to the decoder and back.
+  logic                  ample_q;
+  logic [CountBits+1:0]  few;
+
+  logic                  beat_valid, beat_ready;
+  logic [StreamBits-1:0] beat;
+
+  stream_register #(.Width(StreamBits)) port (
+    .clk_i, .rst_ni,
+    .valid_i(stream_valid_i), .ready_o(stream_ready_o), .data_i(stream_data_i),
+    .valid_o(beat_valid), .ready_i(beat_ready), .data_o(beat)
+  );
+
+  assign few = left_q[CountBits+1:0];
+  assign end_o = !ample_q && few == '0;
+  assign left_o = left_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      left_q <= '0;
+      ample_q <= 1'b0;
+    end else begin
+      left_q <= start_i ? words_i : left_q - {{(32 - CountBits){1'b0}}, take_i};
+      ample_q <= |left_q[31:CountBits+1];
+    end
+  end
+
+  if (Lanes == 1) begin : gen_word
+    assign words_o = beat;
+    assign have_o = beat_valid && !end_o;
+    assign beat_ready = take_i;
+  end else begin : gen_window
+    localparam int unsigned LaneBits = $clog2(Lanes);
+
+    logic [StreamBits-1:0] first_q; // words_o starts in it and ends in beat
+    logic                  full_q;
+    logic [LaneBits-1:0]   skip_q;  // words of it that were taken
+    logic [CountBits-1:0]  first_words, some;
+    logic [LaneBits:0]     skip_sum;
+    logic                  spent, wanted;
+
+    assign first_words = full_q ? CountBits'(Lanes) - CountBits'(skip_q) : '0;
+    assign some = full_q && beat_valid ? CountBits'(Lanes) : first_words;
+    assign have_o = ample_q || few > (CountBits+2)'(some) ? some : few[CountBits-1:0];
+    assign words_o = StreamBits'({beat, first_q} >> {skip_q, 5'b0});
+
+    assign skip_sum = {1'b0, skip_q} + (LaneBits+1)'(take_i);
+    assign spent = skip_sum[LaneBits];
+    assign wanted = ample_q || few > (CountBits+2)'(first_words);
+    assign beat_ready = wanted && (!full_q || spent);
+
+    always_ff @(posedge clk_i) begin
+      if (beat_ready) first_q <= beat;
+    end
+
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) begin
+        full_q <= 1'b0;
+        skip_q <= '0;
+      end else if (start_i) begin
+        full_q <= 1'b0;
+        skip_q <= '0;
+      end else begin
+        if (beat_valid && beat_ready) full_q <= 1'b1;
+        else if (spent) full_q <= 1'b0;
+        skip_q <= skip_sum[LaneBits-1:0];
+      end
+    end
+  end
+
+endmodule

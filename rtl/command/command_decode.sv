@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks a job's stream: takes headers, passes triangles on as rows for the render queue, gives other packets to
+// command_packet, and ends the job with its status.
+//
+// Words move in two steps. In the first they are taken from the aligner into row_q; in the second they are checked and
+// go to the render queue. The check of a header or row is known a clock after that; so a triangle is sent before it
+// is known to be right, and RENDER_GO, which follows the last row, is what a fault holds back. A record takes a clock
+// for each of header, rows and RENDER_GO.
+module command_decode #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned StreamBits = 32
+) (
+  input  logic                               clk_i,
+  input  logic                               rst_ni,
+
+  // job and its status
+  input  logic                               job_valid_i,
+  output logic                               job_ready_o,
+  input  logic [31:0]                        job_stream_words_i,
+  output logic                               start_o,
+  output logic                               status_valid_o,
+  input  logic                               status_ready_i,
+  output logic [3:0]                         status_cause_o,
+  output logic [31:0]                        status_offset_o,
+
+  // from command_align
+  input  logic [StreamBits-1:0]              words_i,
+  input  logic [$clog2(StreamBits/32+1)-1:0] have_i,
+  output logic [$clog2(StreamBits/32+1)-1:0] take_o,
+  input  logic                               end_i,
+  input  logic [31:0]                        left_i,
+
+  // to the render queue
+  output logic                               render_valid_o,
+  input  logic                               render_ready_i,
+  output gloss_pkg::render_op_t              render_op_o,
+  output logic [StreamBits-1:0]              render_data_o,
+  output logic                               triangle_o,   // one was executed
+
+  // to command_packet
+  output logic                               packet_start_o,
+  output logic                               packet_drop_o,
+  input  logic                               packet_done_i,
+  input  logic                               packet_refuse_i,
+  input  logic [3:0]                         packet_cause_i,
+  input  logic                               packet_take_i,
+  input  logic                               packet_push_i,
+  input  logic [2:0]                         packet_kind_i,
+  input  logic [1:0]                         packet_part_i,
+  output logic                               packet_push_ready_o,
+  output logic [31:0]                        header_o,
+  output logic [31:0]                        word_o,
+  input  logic                               in_tile_i,
+
+  input  logic                               idle_i,       // tile and memory have nothing to do
+  input  logic                               memory_error_i,
+  output logic                               stall_stream_o
+);
+
+  localparam int unsigned Lanes = StreamBits / 32;
+  localparam int unsigned CountBits = $clog2(Lanes + 1);
+
+  typedef enum logic [3:0] {
+    Idle,
+    Reset,    // the render state
+    Header,
+    Triangle, // its rows
+    Go,
+    Verdict,  // the header of another packet is being checked
+    Skip,     // the payload of NOP
+    Start,    // command_packet,
+    Packet,   // and wait for it
+    Locate,   // the word of a fault
+    Drop,     // an open tile
+    Drain,    // the rest of the stream
+    Finish,   // until everything is done
+    Status
+  } state_e;
+
+  state_e               state_q, state_d;
+  logic [31:0]          header_q;
+  logic [10:0]          skip_q;
+  logic [StreamBits-1:0] row_q;
+  gloss_pkg::render_op_t op_q;
+  logic                 op_valid_q, op_ready;
+  logic                 op_push;
+  logic [2:0]           op_kind;
+  logic [1:0]           op_part;
+  logic [4:0]           op_row;
+
+  logic [CountBits-1:0] take, take_q, skip_words;
+  logic                 header_take, row_take, have_row;
+  logic                 header_check_q, row_check_q;
+
+  logic [3:0]           header_fault;
+  logic                 row_bad, row_last;
+  logic [CountBits-1:0] row_words, row_behind;
+  logic [1:0]           row_part;
+  logic [4:0]           row_row;
+
+  // A fault: refused_q for a clock, in which nothing moves; then cause and place stay in these.
+  logic                 refused_q, refuse;
+  logic [3:0]           cause_q, cause;
+  logic [3:0]           behind_q, behind;   // words taken from the faulty one on
+  logic [31:0]          offset_q;
+
+  command_header header_check (
+    .header_i(row_q[31:0]), .left_i, .in_tile_i, .fault_o(header_fault)
+  );
+
+  command_record #(.TileSize(TileSize), .StreamBits(StreamBits)) record (
+    .clk_i, .rst_ni,
+    .start_i(header_take), .header_i(words_i[31:0]),
+    .words_o(row_words), .part_o(row_part), .row_o(row_row), .last_o(row_last), .take_i(row_take),
+    .data_i(row_q), .bad_o(row_bad), .behind_o(row_behind)
+  );
+
+  assign start_o = job_valid_i && job_ready_o;
+  assign have_row = have_i >= row_words;
+  assign skip_words = skip_q >= 11'(Lanes) ? CountBits'(Lanes) : skip_q[CountBits-1:0];
+
+  // ---- first step: what is taken, and what goes to the queue with it ----
+  always_comb begin
+    state_d = state_q;
+    job_ready_o = 1'b0;
+    status_valid_o = 1'b0;
+    take = '0;
+    header_take = 1'b0;
+    row_take = 1'b0;
+    op_push = 1'b0;
+    op_kind = gloss_pkg::RENDER_STATE;
+    op_part = gloss_pkg::STATE_RESET;
+    op_row = '0;
+    packet_start_o = 1'b0;
+    packet_drop_o = 1'b0;
+    refuse = 1'b0;
+    cause = gloss_pkg::FAULT_NONE;
+    behind = 4'd1;
+    stall_stream_o = 1'b0;
+
+    unique case (state_q)
+      Idle: begin
+        job_ready_o = op_ready;
+        if (start_o) state_d = Reset;
+      end
+      Reset: begin
+        op_push = 1'b1;
+        state_d = Header;
+      end
+      Header:
+        if (op_ready) begin
+          if (memory_error_i) begin
+            refuse = 1'b1;
+            cause = gloss_pkg::FAULT_MEMORY;
+            behind = '0;
+          end else if (end_i) begin
+            refuse = in_tile_i;
+            cause = gloss_pkg::FAULT_ORDER;
+            behind = '0;
+            state_d = Finish;
+          end else if (have_i != '0) begin
+            take = CountBits'(1);
+            header_take = 1'b1;
+            op_kind = gloss_pkg::RENDER_HEADER;
+            op_push = words_i[31:24] == gloss_pkg::OP_TRIANGLE;
+            state_d = op_push ? Triangle : Verdict;
+          end else begin
+            stall_stream_o = 1'b1;
+          end
+        end
+      Triangle: begin
+        op_kind = gloss_pkg::RENDER_PAYLOAD;
+        op_part = row_part;
+        op_row = row_row;
+        row_take = op_ready && have_row;
+        op_push = row_take;
+        if (row_take) take = row_words;
+        if (row_take && row_last) state_d = Go;
+        stall_stream_o = !have_row;
+      end
+      Go: begin
+        op_push = op_ready;
+        op_kind = gloss_pkg::RENDER_GO;
+        if (op_ready) state_d = Header;
+      end
+      Verdict: state_d = header_q[31:24] == gloss_pkg::OP_NOP ? Skip : Start;
+      Skip: begin
+        if (have_i >= skip_words) take = skip_words;
+        if (skip_q == '0) state_d = Header;
+        stall_stream_o = have_i < skip_words;
+      end
+      Start: begin
+        packet_start_o = 1'b1;
+        state_d = Packet;
+      end
+      Packet: begin
+        take = CountBits'(packet_take_i);
+        op_push = packet_push_i;
+        op_kind = packet_kind_i;
+        op_part = packet_part_i;
+        refuse = packet_refuse_i;
+        cause = packet_cause_i;
+        if (packet_done_i) state_d = Header;
+      end
+      Locate: state_d = Drop;
+      Drop: begin
+        packet_drop_o = in_tile_i;
+        op_push = packet_push_i;
+        op_kind = packet_kind_i;
+        if (!in_tile_i) state_d = Drain;
+      end
+      Drain: begin
+        take = have_i;
+        if (end_i) state_d = Finish;
+      end
+      Finish: if (idle_i) state_d = Status;
+      Status: begin
+        status_valid_o = 1'b1;
+        if (status_ready_i) state_d = Idle;
+      end
+      default: state_d = Idle;
+    endcase
+
+    if (header_check_q && header_fault != gloss_pkg::FAULT_NONE) begin
+      refuse = 1'b1;
+      cause = header_fault;
+    end
+    if (row_check_q && row_bad) begin
+      refuse = 1'b1;
+      cause = gloss_pkg::FAULT_VALUE;
+      behind = 4'(row_behind);
+    end
+    if (refused_q) begin
+      state_d = Locate;
+      take = '0;
+      header_take = 1'b0;
+      row_take = 1'b0;
+      op_push = 1'b0;
+      packet_start_o = 1'b0;
+      refuse = 1'b0;
+    end
+  end
+
+  assign take_o = take;
+  assign header_o = header_q;
+  assign word_o = row_q[31:0];
+  assign packet_push_ready_o = op_ready;
+  assign status_cause_o = cause_q;
+  assign status_offset_o = offset_q;
+
+  always_ff @(posedge clk_i) begin
+    if (take != '0) row_q <= words_i;
+    if (header_take) header_q <= words_i[31:0];
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Idle;
+      header_check_q <= 1'b0;
+      row_check_q <= 1'b0;
+      skip_q <= '0;
+    end else begin
+      state_q <= state_d;
+      header_check_q <= header_take;
+      row_check_q <= row_take;
+      if (header_take) skip_q <= words_i[10:0];
+      else if (state_q == Skip) skip_q <= skip_q - 11'(take);
+    end
+  end
+
+  // ---- second step: to the queue ----
+  assign op_ready = !op_valid_q || render_ready_i;
+  assign render_valid_o = op_valid_q && !refused_q;
+  assign render_op_o = op_q;
+  assign render_data_o = row_q;
+  assign triangle_o = render_valid_o && render_ready_i && op_q.kind == gloss_pkg::RENDER_GO;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      op_valid_q <= 1'b0;
+      op_q <= '0;
+    end else if (refused_q) begin
+      op_valid_q <= 1'b0;
+    end else if (op_ready) begin
+      op_valid_q <= op_push;
+      op_q <= {op_kind, op_part, op_row};
+    end
+  end
+
+  // ---- faults ----
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      refused_q <= 1'b0;
+      take_q <= '0;
+      cause_q <= gloss_pkg::FAULT_NONE;
+      behind_q <= '0;
+      offset_q <= '0;
+    end else begin
+      refused_q <= refuse;
+      take_q <= take;
+      if (start_o) begin
+        cause_q <= gloss_pkg::FAULT_NONE;
+        offset_q <= job_stream_words_i;
+      end else if (refuse) begin
+        cause_q <= cause;
+        behind_q <= behind;
+      end else if (refused_q) begin
+        // The word of the fault is this far from the stream's end; one more row may have been taken since.
+        offset_q <= offset_q - left_i;
+        behind_q <= behind_q + 4'(take_q);
+      end else if (state_q == Locate) begin
+        offset_q <= offset_q - {28'b0, behind_q};
+      end else if (state_q == Finish && memory_error_i && cause_q == gloss_pkg::FAULT_NONE) begin
+        cause_q <= gloss_pkg::FAULT_MEMORY;
+      end
+    end
+  end
+
+endmodule

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a header word, in the order gloss.xml gives. Combinational.
+module command_header (
+  input  logic [31:0] header_i,
+  input  logic [31:0] left_i,    // words of the stream after it
+  input  logic        in_tile_i,
+  output logic [3:0]  fault_o    // FAULT_*
+);
+
+  // Some fields of each.
+  // verilator lint_off UNUSEDSIGNAL
+  gloss_pkg::triangle_header_t triangle;
+  gloss_pkg::tile_end_header_t tile_end;
+  // verilator lint_on UNUSEDSIGNAL
+  logic [10:0] length, triangle_length;
+  logic        known, variable_ok;
+  logic [31:0] reserved;
+  logic [10:0] words;       // payload of a packet of fixed length
+  logic        is_fixed;
+  logic        misplaced, bad_value;
+
+  assign triangle = header_i;
+  assign tile_end = header_i;
+  assign length = header_i[10:0];
+
+  always_comb begin
+    triangle_length = '0;
+    if (triangle.geometry == gloss_pkg::GEOMETRY_WIDE)
+      triangle_length = gloss_pkg::EDGES_WIDE_WORDS + gloss_pkg::DEPTH_WIDE_WORDS;
+    if (triangle.geometry == gloss_pkg::GEOMETRY_COMPACT)
+      triangle_length = gloss_pkg::EDGES_COMPACT_WORDS + gloss_pkg::DEPTH_COMPACT_WORDS;
+    if (triangle.geometry == gloss_pkg::GEOMETRY_COVERING)
+      triangle_length = gloss_pkg::DEPTH_WIDE_WORDS;
+    if (triangle.alpha_linear) triangle_length += gloss_pkg::ALPHA_LINEAR_WORDS;
+    if (triangle.shading == gloss_pkg::SHADING_FLAT)
+      triangle_length += gloss_pkg::COLOUR_FLAT_WORDS;
+    if (triangle.shading == gloss_pkg::SHADING_LINEAR)
+      triangle_length += gloss_pkg::COLOUR_LINEAR_WORDS;
+    if (triangle.shading == gloss_pkg::SHADING_SECOND_ORDER)
+      triangle_length += gloss_pkg::COLOUR_SECOND_ORDER_WORDS;
+  end
+
+  always_comb begin
+    known = 1'b1;
+    reserved = '0;
+    words = '0;
+    is_fixed = 1'b1;
+    variable_ok = 1'b1;
+    misplaced = 1'b0;
+    bad_value = 1'b0;
+    unique case (header_i[31:24])
+      gloss_pkg::OP_NOP: begin
+        reserved = gloss_pkg::NOP_HEADER_RESERVED;
+        is_fixed = 1'b0;
+      end
+      gloss_pkg::OP_WRITE_MEMORY: begin
+        reserved = gloss_pkg::WRITE_MEMORY_HEADER_RESERVED;
+        is_fixed = 1'b0;
+        variable_ok = length > 11'd2;
+        misplaced = in_tile_i;
+      end
+      gloss_pkg::OP_READ_MEMORY: begin
+        reserved = gloss_pkg::READ_MEMORY_HEADER_RESERVED;
+        words = gloss_pkg::READ_MEMORY_WORDS;
+        misplaced = in_tile_i;
+      end
+      gloss_pkg::OP_COUNTERS: begin
+        reserved = gloss_pkg::COUNTERS_HEADER_RESERVED;
+        words = gloss_pkg::COUNTERS_WORDS;
+        misplaced = in_tile_i;
+      end
+      gloss_pkg::OP_COLOUR_SURFACE: begin
+        reserved = gloss_pkg::COLOUR_SURFACE_HEADER_RESERVED;
+        words = gloss_pkg::COLOUR_SURFACE_WORDS;
+      end
+      gloss_pkg::OP_DEPTH_SURFACE: begin
+        reserved = gloss_pkg::DEPTH_SURFACE_HEADER_RESERVED;
+        words = gloss_pkg::DEPTH_SURFACE_WORDS;
+      end
+      gloss_pkg::OP_TILE_BEGIN: begin
+        reserved = gloss_pkg::TILE_BEGIN_HEADER_RESERVED;
+        words = gloss_pkg::TILE_BEGIN_WORDS;
+        misplaced = in_tile_i;
+      end
+      gloss_pkg::OP_TILE_END: begin
+        reserved = gloss_pkg::TILE_END_HEADER_RESERVED;
+        bad_value = tile_end.colour_output > gloss_pkg::TILE_OUTPUT_ANSWER ||
+                    tile_end.depth_output > gloss_pkg::TILE_OUTPUT_ANSWER;
+        words = gloss_pkg::TILE_END_WORDS;
+        misplaced = !in_tile_i;
+      end
+      gloss_pkg::OP_DEPTH_STATE: begin
+        reserved = gloss_pkg::DEPTH_STATE_HEADER_RESERVED;
+        words = gloss_pkg::DEPTH_STATE_WORDS;
+      end
+      gloss_pkg::OP_COLOUR_MASK: begin
+        reserved = gloss_pkg::COLOUR_MASK_HEADER_RESERVED;
+        words = gloss_pkg::COLOUR_MASK_WORDS;
+      end
+      gloss_pkg::OP_SCISSOR: begin
+        reserved = gloss_pkg::SCISSOR_HEADER_RESERVED;
+        words = gloss_pkg::SCISSOR_WORDS;
+      end
+      gloss_pkg::OP_TRIANGLE: begin
+        reserved = gloss_pkg::TRIANGLE_HEADER_RESERVED;
+        bad_value = triangle.geometry > gloss_pkg::GEOMETRY_COVERING ||
+                    triangle.shading > gloss_pkg::SHADING_SECOND_ORDER ||
+                    (triangle.alpha_linear && triangle.alpha != '0);
+        is_fixed = 1'b0;
+        variable_ok = length == triangle_length;
+        misplaced = !in_tile_i;
+      end
+      default: known = 1'b0;
+    endcase
+  end
+
+  always_comb begin
+    fault_o = gloss_pkg::FAULT_NONE;
+    if (!known) fault_o = gloss_pkg::FAULT_OPCODE;
+    else if ((header_i & reserved) != '0 || bad_value) fault_o = gloss_pkg::FAULT_VALUE;
+    else if (is_fixed ? length != words : !variable_ok) fault_o = gloss_pkg::FAULT_LENGTH;
+    else if ({21'b0, length} > left_i) fault_o = gloss_pkg::FAULT_LENGTH;
+    else if (misplaced) fault_o = gloss_pkg::FAULT_ORDER;
+  end
+
+endmodule

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of a triangle's record: how many words the next one has, which part it belongs to, and whether the row
+// taken before it is right. A part starts in lane 0 of a row.
+module command_record #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned StreamBits = 32
+) (
+  input  logic                               clk_i,
+  input  logic                               rst_ni,
+
+  input  logic                               start_i,  // header_i begins a triangle
+  input  logic [31:0]                        header_i,
+
+  // the next row
+  output logic [$clog2(StreamBits/32+1)-1:0] words_o,
+  output logic [1:0]                         part_o,
+  output logic [4:0]                         row_o,
+  output logic                               last_o,   // of the record
+  input  logic                               take_i,
+
+  // the row taken last
+  input  logic [StreamBits-1:0]              data_i,
+  output logic                               bad_o,
+  output logic [$clog2(StreamBits/32+1)-1:0] behind_o  // words from the first bad one to the row's end
+);
+
+  localparam int unsigned Lanes = StreamBits / 32;
+  localparam int unsigned CountBits = $clog2(Lanes + 1);
+
+  // Reserved bits of 16 words; the parts are padded with words that have none.
+  localparam logic [511:0] WideReserved = {224'b0, gloss_pkg::EDGES_WIDE_RESERVED};
+  localparam logic [511:0] CompactReserved = {320'b0, gloss_pkg::EDGES_COMPACT_RESERVED};
+  localparam logic [511:0] DepthReserved = {384'b0, gloss_pkg::DEPTH_WIDE_RESERVED};
+  // Where first_row and last_row are, in the same bits of both.
+  localparam logic [3:0] WideRowsWord = 4'd2;
+  localparam logic [3:0] CompactRowsWord = 4'd1;
+
+  // Some fields of each.
+  // verilator lint_off UNUSEDSIGNAL
+  gloss_pkg::triangle_header_t header, header_q;
+  // verilator lint_on UNUSEDSIGNAL
+  logic [1:0]  part_q, part_next;
+  logic [4:0]  row_q, rest_q; // rest: words of the part left
+  logic        row_ends_part;
+
+  function automatic logic [4:0] part_words(logic [1:0] part, logic [1:0] geometry, logic [1:0] shading);
+    unique case (part)
+      gloss_pkg::PART_EDGES:
+        part_words = 5'(geometry == gloss_pkg::GEOMETRY_WIDE ? gloss_pkg::EDGES_WIDE_WORDS
+                                                             : gloss_pkg::EDGES_COMPACT_WORDS);
+      gloss_pkg::PART_DEPTH:
+        part_words = 5'(geometry == gloss_pkg::GEOMETRY_COMPACT ? gloss_pkg::DEPTH_COMPACT_WORDS
+                                                                : gloss_pkg::DEPTH_WIDE_WORDS);
+      gloss_pkg::PART_ALPHA: part_words = 5'(gloss_pkg::ALPHA_LINEAR_WORDS);
+      default:
+        part_words = 5'(shading == gloss_pkg::SHADING_FLAT ? gloss_pkg::COLOUR_FLAT_WORDS :
+                        shading == gloss_pkg::SHADING_LINEAR ? gloss_pkg::COLOUR_LINEAR_WORDS :
+                        gloss_pkg::COLOUR_SECOND_ORDER_WORDS);
+    endcase
+  endfunction
+
+  assign header = header_i;
+  assign row_ends_part = rest_q <= 5'(Lanes);
+  assign words_o = row_ends_part ? rest_q[CountBits-1:0] : CountBits'(Lanes);
+  assign part_o = part_q;
+  assign row_o = row_q;
+  assign last_o = row_ends_part && part_q == gloss_pkg::PART_COLOUR;
+
+  always_comb begin
+    unique case (part_q)
+      gloss_pkg::PART_EDGES: part_next = gloss_pkg::PART_DEPTH;
+      gloss_pkg::PART_DEPTH: part_next = header_q.alpha_linear ? gloss_pkg::PART_ALPHA
+                                                               : gloss_pkg::PART_COLOUR;
+      default: part_next = gloss_pkg::PART_COLOUR;
+    endcase
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      header_q <= '0;
+      part_q <= '0;
+      row_q <= '0;
+      rest_q <= '0;
+    end else if (start_i) begin
+      header_q <= header_i;
+      row_q <= '0;
+      if (header.geometry == gloss_pkg::GEOMETRY_COVERING) begin
+        part_q <= gloss_pkg::PART_DEPTH;
+        rest_q <= part_words(gloss_pkg::PART_DEPTH, header.geometry, header.shading);
+      end else begin
+        part_q <= gloss_pkg::PART_EDGES;
+        rest_q <= part_words(gloss_pkg::PART_EDGES, header.geometry, header.shading);
+      end
+    end else if (take_i && row_ends_part) begin
+      part_q <= part_next;
+      row_q <= '0;
+      rest_q <= part_words(part_next, header_q.geometry, header_q.shading);
+    end else if (take_i) begin
+      row_q <= row_q + 1'b1;
+      rest_q <= rest_q - 5'(Lanes);
+    end
+  end
+
+  // ---- the check, one clock behind ----
+  logic [1:0]           checked_part_q;
+  logic [4:0]           checked_row_q;
+  logic [CountBits-1:0] checked_words_q;
+  logic [Lanes-1:0]     bad_lane;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      checked_part_q <= '0;
+      checked_row_q <= '0;
+      checked_words_q <= '0;
+    end else if (take_i) begin
+      checked_part_q <= part_q;
+      checked_row_q <= row_q;
+      checked_words_q <= words_o;
+    end
+  end
+
+  for (genvar l = 0; l < Lanes; l++) begin : gen_lane
+    logic [31:0] value, reserved;
+    logic [3:0]  word;
+    logic        rows_here;
+    logic [6:0]  last_row;
+
+    assign value = data_i[32*l +: 32];
+    assign word = 4'(checked_row_q * 5'(Lanes)) | 4'(l);
+    assign last_row = {1'b0, value[21:16]} + {1'b0, value[29:24]};
+
+    always_comb begin
+      reserved = '0;
+      rows_here = 1'b0;
+      unique case (checked_part_q)
+        gloss_pkg::PART_EDGES:
+          if (header_q.geometry == gloss_pkg::GEOMETRY_WIDE) begin
+            reserved = WideReserved[{word, 5'b0} +: 32];
+            rows_here = word == WideRowsWord;
+          end else begin
+            reserved = CompactReserved[{word, 5'b0} +: 32];
+            rows_here = word == CompactRowsWord;
+          end
+        gloss_pkg::PART_DEPTH:
+          if (header_q.geometry != gloss_pkg::GEOMETRY_COMPACT)
+            reserved = DepthReserved[{word, 5'b0} +: 32];
+        gloss_pkg::PART_COLOUR:
+          if (header_q.shading == gloss_pkg::SHADING_FLAT)
+            reserved = gloss_pkg::COLOUR_FLAT_RESERVED;
+        default: ;
+      endcase
+      bad_lane[l] = CountBits'(l) < checked_words_q &&
+                    ((value & reserved) != '0 || (rows_here && last_row >= 7'(TileSize)));
+    end
+  end
+
+  always_comb begin
+    bad_o = |bad_lane;
+    behind_o = '0;
+    for (int l = Lanes - 1; l >= 0; l--)
+      if (bad_lane[l]) behind_o = checked_words_q - CountBits'(l);
+  end
+
+endmodule
