@@ -980,7 +980,7 @@ struct gloss_triangle {
 	enum gloss_geometry geometry;
 	enum gloss_shading shading;
 	bool alpha_linear;
-	/* Constant alpha; zero with alpha_linear. */
+	/* Constant alpha; not looked at with alpha_linear. */
 	uint32_t alpha;
 };
 

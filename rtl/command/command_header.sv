@@ -104,8 +104,7 @@ module command_header (
       gloss_pkg::OP_TRIANGLE: begin
         reserved = gloss_pkg::TRIANGLE_HEADER_RESERVED;
         bad_value = triangle.geometry > gloss_pkg::GEOMETRY_COVERING ||
-                    triangle.shading > gloss_pkg::SHADING_SECOND_ORDER ||
-                    (triangle.alpha_linear && triangle.alpha != '0);
+                    triangle.shading > gloss_pkg::SHADING_SECOND_ORDER;
         is_fixed = 1'b0;
         variable_ok = length == triangle_length;
         misplaced = !in_tile_i;
