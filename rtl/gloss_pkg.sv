@@ -5,6 +5,9 @@
 
 package gloss_pkg;
 
+  // No top uses all of these.
+  // verilator lint_off UNUSEDPARAM
+
 `include "gloss_hw.svh"
 
   // ---- render queue: what command hands to raster_load ----
@@ -120,5 +123,7 @@ package gloss_pkg;
     logic [31:0] stall_stream;   // command waits for stream words
     logic [31:0] clocks;         // from job taken to job done
   } time_counters_t;
+
+  // verilator lint_on UNUSEDPARAM
 
 endpackage
