@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Benches of the command stage and of the streams in rtl/lib; figures of the core.
+
+# Words that each of rtl/lib's streams holds.
+LIB_STREAMS := stream_register-2 stream_fifo-8 ram_fifo-65
+LIB_DEPTH = $(if $(filter stream_fifo,$(1)),-GDepth=8) $(if $(filter ram_fifo,$(1)),-GDepth=64)
+
+define lib_bench
+$(BUILD)/rtl/lib-$(1)/bench: tests/rtl/tb_lib.cpp tests/rtl/tb.h rtl/lib/$(1).sv rtl/lib/ram_1r1w.sv
+	$$(call quiet,RTL,$$@)
+	$(Q)mkdir -p $$(@D)
+	$(Q)verilator --cc --exe --build -O3 --x-initial unique --top-module $(1) -GWidth=37 \
+		$(call LIB_DEPTH,$(1)) -Irtl/lib --Mdir $$(@D) -o bench \
+		-CFLAGS "-DTOP=$(1) -DCAPACITY=$(2) -I$$(CURDIR)/tests/rtl" \
+		rtl/lib/$(1).sv $$(CURDIR)/tests/rtl/tb_lib.cpp >$$(@D)/log || \
+		{ cat $$(@D)/log; exit 1; }
+LIB_BENCHES += $(BUILD)/rtl/lib-$(1)/bench
+endef
+$(foreach stream,$(LIB_STREAMS),$(eval $(call lib_bench,$(firstword $(subst -, ,$(stream))),$(lastword $(subst -, ,$(stream))))))
+
+.PHONY: rtl-lib
+rtl-lib: $(LIB_BENCHES) ## the streams of rtl/lib, with random stalls
+	$(Q)for bench in $^; do $$bench || exit 1; done
+
+CHECKS += rtl-lib
