@@ -608,7 +608,7 @@ static inline void gloss_nop_pack(uint32_t *words, uint32_t length)
 
 #define GLOSS_WRITE_MEMORY_WORDS 2
 
-/* Writes the payload words after the first two (at least one) to a slot. Only between tiles. */
+/* Writes the payload words after the first two to a slot. Only between tiles. */
 struct gloss_write_memory {
 	uint32_t slot;
 	/* Bytes from the start of the slot, a multiple of 4. */

@@ -164,39 +164,42 @@ static const struct table_record table_edges_compact = { "edges_compact", 6, 19,
 
 static const struct table_field table_fields_depth_wide[] = {
 	{ .name = "z", .word = 0, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295,
+	  .rest = &table_fields_depth_wide[3], .fixed = true, .fraction = 12 },
 	{ .name = "dx", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295,
+	  .rest = &table_fields_depth_wide[4], .fixed = true, .fraction = 12 },
 	{ .name = "dy", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295,
+	  .rest = &table_fields_depth_wide[5], .fixed = true, .fraction = 12 },
 	{ .name = "z_high", .word = 3, .high = 7, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	  .type = TABLE_UINT, .min = 0, .max = 255, .is_rest = true },
 	{ .name = "dx_high", .word = 3, .high = 15, .low = 8,
-	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	  .type = TABLE_UINT, .min = 0, .max = 255, .is_rest = true },
 	{ .name = "dy_high", .word = 3, .high = 23, .low = 16,
-	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	  .type = TABLE_UINT, .min = 0, .max = 255, .is_rest = true },
 };
 
 static const struct table_record table_depth_wide = { "depth_wide", 4, 6, table_fields_depth_wide };
 
 static const struct table_field table_fields_depth_compact[] = {
 	{ .name = "z", .word = 0, .high = 31, .low = 0,
-	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647 },
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647, .fixed = true, .fraction = 6 },
 	{ .name = "dx", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647 },
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647, .fixed = true, .fraction = 6 },
 	{ .name = "dy", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647 },
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647, .fixed = true, .fraction = 6 },
 };
 
 static const struct table_record table_depth_compact = { "depth_compact", 3, 3, table_fields_depth_compact };
 
 static const struct table_field table_fields_alpha_linear[] = {
 	{ .name = "a", .word = 0, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "a_dx", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "a_dy", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 };
 
 static const struct table_record table_alpha_linear = { "alpha_linear", 3, 3, table_fields_alpha_linear };
@@ -214,64 +217,64 @@ static const struct table_record table_colour_flat = { "colour_flat", 1, 3, tabl
 
 static const struct table_field table_fields_colour_linear[] = {
 	{ .name = "red", .word = 0, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dx", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dy", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green", .word = 3, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dx", .word = 4, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dy", .word = 5, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue", .word = 6, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dx", .word = 7, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dy", .word = 8, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 };
 
 static const struct table_record table_colour_linear = { "colour_linear", 9, 9, table_fields_colour_linear };
 
 static const struct table_field table_fields_colour_second_order[] = {
 	{ .name = "red", .word = 0, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dx", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dy", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dxx", .word = 3, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dxy", .word = 4, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "red_dyy", .word = 5, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green", .word = 6, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dx", .word = 7, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dy", .word = 8, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dxx", .word = 9, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dxy", .word = 10, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "green_dyy", .word = 11, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue", .word = 12, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dx", .word = 13, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dy", .word = 14, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dxx", .word = 15, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dxy", .word = 16, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 	{ .name = "blue_dyy", .word = 17, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 };
 
 static const struct table_record table_colour_second_order = { "colour_second_order", 18, 18, table_fields_colour_second_order };
@@ -280,7 +283,7 @@ static const struct table_field table_fields_write_memory[] = {
 	{ .name = "slot", .word = 1, .high = 3, .low = 0,
 	  .type = TABLE_UINT, .min = 0, .max = 15 },
 	{ .name = "offset", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
 };
 
 static const struct table_field table_fields_read_memory[] = {
@@ -289,7 +292,7 @@ static const struct table_field table_fields_read_memory[] = {
 	{ .name = "count", .word = 1, .high = 31, .low = 16,
 	  .type = TABLE_UINT, .min = 1, .max = 65535 },
 	{ .name = "offset", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
 };
 
 static const struct table_field table_fields_colour_surface[] = {
@@ -312,9 +315,9 @@ static const struct table_field table_fields_tile_begin[] = {
 	{ .name = "depth_load", .word = 0, .high = 12, .low = 12,
 	  .type = TABLE_BOOL, .min = 0, .max = 1 },
 	{ .name = "colour", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
 	{ .name = "depth", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
 };
 
 static const struct table_field table_fields_tile_end[] = {
@@ -323,9 +326,9 @@ static const struct table_field table_fields_tile_end[] = {
 	{ .name = "depth_output", .word = 0, .high = 14, .low = 13,
 	  .type = TABLE_ENUM, .min = 0, .max = 3, .enumeration = &table_enum_tile_output },
 	{ .name = "colour", .word = 1, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
 	{ .name = "depth", .word = 2, .high = 31, .low = 0,
-	  .type = TABLE_UINT, .min = 0, .max = 4294967295 },
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
 };
 
 static const struct table_field table_fields_depth_state[] = {
@@ -381,18 +384,18 @@ static const struct table_part table_parts_triangle[] = {
 };
 
 static const struct table_packet table_packets[] = {
-	{ 0x00, true, { "nop", 0, 0, 0 }, 0, 0 },
-	{ 0x01, true, { "write_memory", 2, 2, table_fields_write_memory }, 0, 0 },
-	{ 0x02, false, { "read_memory", 2, 3, table_fields_read_memory }, 0, 0 },
-	{ 0x03, false, { "counters", 0, 0, 0 }, 0, 0 },
-	{ 0x08, false, { "colour_surface", 1, 2, table_fields_colour_surface }, 0, 0 },
-	{ 0x09, false, { "depth_surface", 1, 2, table_fields_depth_surface }, 0, 0 },
-	{ 0x10, false, { "tile_begin", 2, 4, table_fields_tile_begin }, 0, 0 },
-	{ 0x11, false, { "tile_end", 2, 4, table_fields_tile_end }, 0, 0 },
-	{ 0x20, false, { "depth_state", 0, 2, table_fields_depth_state }, 0, 0 },
-	{ 0x21, false, { "colour_mask", 0, 4, table_fields_colour_mask }, 0, 0 },
-	{ 0x22, false, { "scissor", 1, 4, table_fields_scissor }, 0, 0 },
-	{ 0x30, true, { "triangle", 0, 4, table_fields_triangle }, 9, table_parts_triangle },
+	{ 0x00, true, 0, { "nop", 0, 0, 0 }, 0, 0 },
+	{ 0x01, true, 3, { "write_memory", 2, 2, table_fields_write_memory }, 0, 0 },
+	{ 0x02, false, 2, { "read_memory", 2, 3, table_fields_read_memory }, 0, 0 },
+	{ 0x03, false, 0, { "counters", 0, 0, 0 }, 0, 0 },
+	{ 0x08, false, 1, { "colour_surface", 1, 2, table_fields_colour_surface }, 0, 0 },
+	{ 0x09, false, 1, { "depth_surface", 1, 2, table_fields_depth_surface }, 0, 0 },
+	{ 0x10, false, 2, { "tile_begin", 2, 4, table_fields_tile_begin }, 0, 0 },
+	{ 0x11, false, 2, { "tile_end", 2, 4, table_fields_tile_end }, 0, 0 },
+	{ 0x20, false, 0, { "depth_state", 0, 2, table_fields_depth_state }, 0, 0 },
+	{ 0x21, false, 0, { "colour_mask", 0, 4, table_fields_colour_mask }, 0, 0 },
+	{ 0x22, false, 1, { "scissor", 1, 4, table_fields_scissor }, 0, 0 },
+	{ 0x30, true, 0, { "triangle", 0, 4, table_fields_triangle }, 9, table_parts_triangle },
 };
 
 #endif

@@ -89,6 +89,7 @@ struct hw_record {
 	bool has_words, variable;
 	unsigned int words;			/* without a packet's header */
 	unsigned int opcode;
+	unsigned int least;			/* fewest payload words, if variable without parts */
 	struct hw_field *fields;
 	struct hw_part *parts;
 };
@@ -164,11 +165,12 @@ char *hw_camel(char *out, const char *name);
 enum hw_markup { HW_PLAIN, HW_MARKDOWN };
 
 /*
- * Writes doc text in lines of up to @columns, each with @prefix before it;
- * an empty line of the text ends a paragraph and becomes a bare prefix.
+ * Writes doc text in lines of up to @columns, with @first before the first
+ * line and @prefix before the others; an empty line of the text ends a
+ * paragraph and becomes a bare prefix.
  */
-void hw_wrap(FILE *out, const char *text, const char *prefix, unsigned int columns,
-	     enum hw_markup markup);
+void hw_wrap(FILE *out, const char *text, const char *first, const char *prefix,
+	     unsigned int columns, enum hw_markup markup);
 /* The text in one line, for tables; with @sentence only its first sentence. */
 void hw_line(FILE *out, const char *text, enum hw_markup markup, bool sentence);
 

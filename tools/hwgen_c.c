@@ -33,7 +33,7 @@ static void comment(const struct writer *w, const char *indent, const char *text
 	} else {
 		snprintf(prefix, sizeof(prefix), "%s * ", indent);
 		fprintf(w->out, "%s/*\n", indent);
-		hw_wrap(w->out, text, prefix, COLUMNS - (tabs ? 7 : 0), HW_PLAIN);
+		hw_wrap(w->out, text, prefix, prefix, COLUMNS - (tabs ? 7 : 0), HW_PLAIN);
 		fprintf(w->out, "%s */\n", indent);
 	}
 	free(line);
@@ -121,14 +121,10 @@ static void write_struct(const struct writer *w, const struct hw_record *r)
 		if (f->doc)
 			comment(w, "\t", f->doc);
 		if (f->type == HW_ENUM)
-			fprintf(w->out, "\tenum %s_%s %s;", w->name, f->enumeration->name, f->name);
+			fprintf(w->out, "\tenum %s_%s %s;\n", w->name, f->enumeration->name,
+				f->name);
 		else
-			fprintf(w->out, "\t%s %s;", types[f->type], f->name);
-		if (f->above)
-			fprintf(w->out, "\t/* above %s */", f->above->name);
-		else if (f->format && !hw_same(f->format, "hex"))
-			fprintf(w->out, "\t/* %s */", f->format);
-		fputc('\n', w->out);
+			fprintf(w->out, "\t%s %s;\n", types[f->type], f->name);
 	}
 	fputs("};\n\n", w->out);
 }

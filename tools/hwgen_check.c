@@ -255,9 +255,9 @@ static void check_packet(const struct hw_interface *hw, const struct hw_record *
 			hw_fail(hw->path, packet->line, "opcode 0x%02x is that of '%s' in line %lu",
 				packet->opcode, other->name, other->line);
 	}
-	if (packet->parts && (packet->has_words || !packet->variable))
+	if (packet->parts && (packet->has_words || packet->least || !packet->variable))
 		hw_fail(hw->path, packet->line,
-			"packet '%s' has parts, so it needs variable=\"yes\" and no words",
+			"packet '%s' has parts, so it needs variable=\"yes\", no words and no least",
 			packet->name);
 	for (struct hw_part *part = packet->parts; part; part = part->next) {
 		check_part(hw, packet, part);

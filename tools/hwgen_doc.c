@@ -13,16 +13,17 @@ static void write_text(FILE *out, const char *text)
 	while (text) {
 		const char *end = strstr(text, "\n\n");
 		const char *paragraph = hw_copy(text, end ? (size_t)(end - text) : strlen(text));
+		char lead[HW_NAME_MAX] = "";
 		size_t word;
 
 		paragraph += strspn(paragraph, " \t\r\n");
 		word = strcspn(paragraph, " \n");
-		if (word && paragraph[word - 1] == '.' && paragraph[word]) {
-			fprintf(out, "**%.*s** ", (int)word, paragraph);
+		if (word && paragraph[word - 1] == '.' && paragraph[word] && word < HW_NAME_MAX / 2) {
+			snprintf(lead, sizeof(lead), "**%.*s** ", (int)word, paragraph);
 			paragraph += word;
 		}
 		if (*paragraph) {
-			hw_wrap(out, paragraph, "", COLUMNS, HW_MARKDOWN);
+			hw_wrap(out, paragraph, lead, "", COLUMNS, HW_MARKDOWN);
 			fputc('\n', out);
 		}
 		text = end ? end + 2 : NULL;
@@ -97,7 +98,7 @@ static void write_length(FILE *out, const struct hw_record *r)
 	unsigned int least = HW_LENGTH_MAX, most = 0;
 
 	if (!r->parts) {
-		fprintf(out, r->variable ? "%u or more" : "%u", r->words);
+		fprintf(out, r->variable ? "%u or more" : "%u", r->least);
 		return;
 	}
 	/* Every value of the condition fields: a header has 13 bits of its own. */

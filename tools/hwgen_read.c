@@ -166,15 +166,21 @@ static const char **begin_words(struct reader *reader, const struct element *ele
 static const char **begin_packet(struct reader *reader, const struct element *element)
 {
 	struct hw_record *record = add_record(reader, HW_PACKET, reader->attribute[2]);
-	const char *variable = reader->attribute[3];
+	const char *variable = reader->attribute[3], *least = reader->attribute[4];
 
 	(void)element;
 	record->opcode = (unsigned int)read_number(reader, "opcode", reader->attribute[1], 0, 255);
 	if (variable && !hw_same(variable, "yes") && !hw_same(variable, "no"))
 		FAIL(reader, "variable is '%s', not 'yes' or 'no'", variable);
 	record->variable = variable && hw_same(variable, "yes");
+	record->least = record->words;
+	if (least)
+		record->least = (unsigned int)read_number(reader, "least", least,
+							  record->words + 1, HW_LENGTH_MAX);
 	if (!record->variable && !record->has_words)
 		FAIL(reader, "packet '%s' has neither words nor variable=\"yes\"", record->name);
+	if (!record->variable && least)
+		FAIL(reader, "least is for packets with variable=\"yes\"");
 	return &record->doc;
 }
 
@@ -221,9 +227,9 @@ static const char **begin_doc(struct reader *reader, const struct element *eleme
 	const char **doc = reader->open[reader->depth - 1].doc;
 
 	(void)element;
-	if (!doc || *doc)
-		FAIL(reader, "<%s> %s", reader->open[reader->depth - 1].element->name,
-		     doc ? "has a second <doc>" : "takes no <doc>");
+	if (*doc)
+		FAIL(reader, "<%s> has a second <doc>",
+		     reader->open[reader->depth - 1].element->name);
 	reader->in_doc = true;
 	reader->doc_line = line_of(reader);
 	reader->text_size = 0;
@@ -236,12 +242,13 @@ static const struct element elements[] = {
 	{ "enum", " interface ", { "name", "bits" }, begin_enum },
 	{ "value", " enum ", { "name", "value" }, begin_value },
 	{ "group", " interface ", { "name", "words" }, begin_words },
-	{ "packet", " interface ", { "name", "opcode", "?words", "?variable" }, begin_packet },
+	{ "packet", " interface ", { "name", "opcode", "?words", "?variable", "?least" },
+	  begin_packet },
 	{ "struct", " interface ", { "name", "words" }, begin_words },
 	{ "field", " group packet struct ",
 	  { "name", "word", "bits", "?type", "?min", "?max", "?format", "?above" }, begin_field },
 	{ "part", " packet ", { "group", "?if", "?is" }, begin_part },
-	{ "doc", " interface constant enum value group packet struct field part ", { NULL },
+	{ "doc", " interface constant enum value group packet struct field ", { NULL },
 	  begin_doc },
 };
 

@@ -8,7 +8,7 @@ static void write_constants(FILE *out, const struct hw_interface *hw)
 
 	for (const struct hw_constant *c = hw->constants; c; c = c->next) {
 		if (c->doc)
-			hw_wrap(out, c->doc, "  // ", 100, HW_PLAIN);
+			hw_wrap(out, c->doc, "  // ", "  // ", 100, HW_PLAIN);
 		fprintf(out, "  localparam int unsigned %s = %u;\n", hw_camel(camel, c->name),
 			c->value);
 	}
@@ -21,7 +21,7 @@ static void write_enums(FILE *out, const struct hw_interface *hw)
 
 	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
 		if (e->doc)
-			hw_wrap(out, e->doc, "  // ", 100, HW_PLAIN);
+			hw_wrap(out, e->doc, "  // ", "  // ", 100, HW_PLAIN);
 		hw_upper(upper, e->name);
 		for (const struct hw_value *v = e->values; v; v = v->next)
 			fprintf(out, "  localparam logic [%u:0] %s_%s = %u'd%u;\n", e->bits - 1,

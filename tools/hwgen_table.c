@@ -89,7 +89,7 @@ static void write_packet(FILE *out, const struct hw_record *r)
 
 	for (const struct hw_part *p = r->parts; p; p = p->next)
 		count++;
-	fprintf(out, "\t{ 0x%02x, %s, ", r->opcode, r->variable ? "true" : "false");
+	fprintf(out, "\t{ 0x%02x, %s, %u, ", r->opcode, r->variable ? "true" : "false", r->least);
 	write_record(out, r);
 	fprintf(out, ", %u, ", count);
 	if (r->parts)

@@ -78,8 +78,8 @@ static const char *skip_blanks(const char *text, bool *paragraph)
 	return text;
 }
 
-void hw_wrap(FILE *out, const char *text, const char *prefix, unsigned int columns,
-	     enum hw_markup markup)
+void hw_wrap(FILE *out, const char *text, const char *first, const char *prefix,
+	     unsigned int columns, enum hw_markup markup)
 {
 	unsigned int column = 0;
 	bool paragraph;
@@ -100,7 +100,8 @@ void hw_wrap(FILE *out, const char *text, const char *prefix, unsigned int colum
 			fputc('\n', out);
 			column = 0;
 		}
-		column += fprintf(out, "%s", column ? " " : prefix) + written;
+		column += (unsigned int)fprintf(out, "%s", column ? " " : first) + written;
+		first = prefix;
 		write_word(out, text, length, markup);
 		text += length;
 	}

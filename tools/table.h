@@ -51,6 +51,7 @@ struct table_part {
 struct table_packet {
 	unsigned int opcode;
 	bool variable;
+	unsigned int least;			/* fewest payload words, without parts */
 	struct table_record record;
 	unsigned int count;
 	const struct table_part *parts;
