@@ -80,6 +80,20 @@ package gloss_pkg;
     logic [39:0] dy;
   } depth_plane_t;
 
+  // Where shade's row state moves to next: what raster_row tells it.
+  localparam logic [1:0] MOVE_LOAD = 2'd0;  // the anchor of the next triangle
+  localparam logic [1:0] MOVE_DOWN = 2'd1;  // a row down
+  localparam logic [1:0] MOVE_RIGHT = 2'd2; // a block to the right
+  localparam logic [1:0] MOVE_LEFT = 2'd3;  // a block to the left
+
+  typedef struct packed {
+    logic       slopes; // move the differences
+    logic       values; // move the values; to the left a clock after the differences
+    logic [1:0] move;
+    logic       start;  // a run of blocks begins where the row state is, before it moves
+    logic       step;   // the next block of the run
+  } shade_command_t;
+
   // ---- what command hands to tile: checked, addresses absolute ----
   typedef struct packed {
     logic        colour_load;

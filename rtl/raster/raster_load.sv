@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Collects the rows of a triangle's record, whatever form it was sent in, and keeps the state that triangles use. At
+// RENDER_GO the whole record is offered to raster_walk and raster_row; when both have copied it, rows of the next one
+// are taken, one a clock, while this one is drawn.
+//
+// Shade may read the record in the clocks after row_take_i, and relies on this: the next record's header comes 1 clock
+// after it at the earliest and so depth changes after 2 clocks, alpha and colours after 3.
+module raster_load #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned StreamBits = 32,
+  localparam int unsigned RowBits = $clog2(TileSize)
+) (
+  input  logic                    clk_i,
+  input  logic                    rst_ni,
+
+  // from the gate
+  input  logic                    valid_i,
+  output logic                    ready_o,
+  input  gloss_pkg::render_op_t   op_i,
+  input  logic [StreamBits-1:0]   data_i,
+  input  logic                    bank_i,
+
+  // to raster_walk
+  output logic                    walk_valid_o,
+  input  logic                    walk_take_i,
+  output gloss_pkg::edge_line_t   left_o,
+  output gloss_pkg::edge_line_t   right_o,
+  output gloss_pkg::edge_line_t   middle_o,
+  output logic                    covering_o,
+  output logic [RowBits-1:0]      first_row_o,
+  output logic [RowBits-1:0]      last_row_o,
+  output logic [5:0]              switch_row_o,
+  output logic                    side_o,
+  output gloss_pkg::clip_t        clip_o,
+
+  // to raster_row
+  output logic                    row_valid_o,
+  input  logic                    row_take_i,
+  output logic                    end_o,      // not a record but a tile's end
+  output logic [2:0]              anchor_o,   // x / 8
+  output gloss_pkg::pixel_state_t state_o,
+
+  // to shade
+  output gloss_pkg::surface_t     red_o,
+  output gloss_pkg::surface_t     green_o,
+  output gloss_pkg::surface_t     blue_o,
+  output logic [31:0]             alpha_o,
+  output logic [31:0]             alpha_dx_o,
+  output logic [31:0]             alpha_dy_o,
+  output gloss_pkg::depth_plane_t depth_o,
+
+  output logic                    idle_o
+);
+
+  logic       take_header, take_go, take_state, take_end;
+  logic [3:0] take_part; // by PART_*
+  logic       walk_full_q, row_full_q;
+
+  assign ready_o = !walk_full_q && !row_full_q;
+  assign walk_valid_o = walk_full_q;
+  assign row_valid_o = row_full_q;
+  assign idle_o = ready_o;
+
+  always_comb begin
+    take_header = 1'b0;
+    take_part = '0;
+    take_go = 1'b0;
+    take_state = 1'b0;
+    take_end = 1'b0;
+    if (valid_i && ready_o) begin
+      unique case (op_i.kind)
+        gloss_pkg::RENDER_HEADER: take_header = 1'b1;
+        gloss_pkg::RENDER_PAYLOAD: take_part[op_i.part] = 1'b1;
+        gloss_pkg::RENDER_GO: take_go = 1'b1;
+        gloss_pkg::RENDER_STATE: take_state = 1'b1;
+        gloss_pkg::RENDER_END: take_end = 1'b1;
+        default: ;
+      endcase
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      walk_full_q <= 1'b0;
+      row_full_q <= 1'b0;
+    end else begin
+      if (take_go) walk_full_q <= 1'b1;
+      else if (walk_take_i) walk_full_q <= 1'b0;
+      if (take_go || take_end) row_full_q <= 1'b1;
+      else if (row_take_i) row_full_q <= 1'b0;
+    end
+  end
+
+  // ---- state ----
+  gloss_pkg::depth_state_header_t depth_state;
+  gloss_pkg::colour_mask_header_t colour_mask;
+  gloss_pkg::scissor_t            scissor;
+  gloss_pkg::pixel_state_t        state_q;
+  gloss_pkg::clip_t               clip_q;
+  logic                           end_q;
+  logic                           unused_state;
+
+  assign depth_state = data_i[31:0];
+  assign colour_mask = data_i[31:0];
+  assign scissor = data_i[31:0];
+  assign unused_state = ^{depth_state, colour_mask, scissor};
+
+  always_ff @(posedge clk_i) begin
+    if (take_state) begin
+      unique case (op_i.part)
+        gloss_pkg::STATE_DEPTH: begin
+          state_q.depth_func <= depth_state.func;
+          state_q.depth_write <= depth_state.write;
+        end
+        gloss_pkg::STATE_MASK: begin
+          state_q.colour_mask <= {colour_mask.alpha, colour_mask.blue, colour_mask.green,
+                                  colour_mask.red};
+        end
+        gloss_pkg::STATE_SCISSOR: begin
+          clip_q <= {scissor.y1, scissor.x1, scissor.y0, scissor.x0};
+        end
+        default: begin
+          state_q.depth_func <= gloss_pkg::COMPARE_ALWAYS;
+          state_q.depth_write <= 1'b0;
+          state_q.colour_mask <= '1;
+          clip_q <= {7'(TileSize), 7'(TileSize), 14'd0};
+        end
+      endcase
+    end
+    if (take_go || take_end) begin
+      state_q.bank <= bank_i;
+      end_q <= take_end;
+    end
+  end
+
+  assign state_o = state_q;
+  assign clip_o = clip_q;
+  assign end_o = end_q;
+
+  // ---- header ----
+  gloss_pkg::triangle_header_t header;
+  logic                        compact_q, covering_q, alpha_linear_q;
+  logic [1:0]                  shading_q;
+  logic [7:0]                  alpha_constant_q;
+  logic                        unused_header;
+
+  assign header = data_i[31:0];
+  assign unused_header = ^{header.opcode, header.length};
+  assign covering_o = covering_q;
+
+  always_ff @(posedge clk_i) begin
+    if (take_header) begin
+      compact_q <= header.geometry == gloss_pkg::GEOMETRY_COMPACT;
+      covering_q <= header.geometry == gloss_pkg::GEOMETRY_COVERING;
+      shading_q <= header.shading;
+      alpha_linear_q <= header.alpha_linear;
+      alpha_constant_q <= header.alpha;
+    end
+  end
+
+  // ---- the parts ----
+  raster_load_edges #(
+    .TileSize(TileSize),
+    .StreamBits(StreamBits)
+  ) edges (
+    .clk_i(clk_i),
+    .clear_i(take_header),
+    .write_i(take_part[gloss_pkg::PART_EDGES]),
+    .row_i(op_i.row),
+    .data_i(data_i),
+    .compact_i(compact_q),
+    .left_o(left_o),
+    .right_o(right_o),
+    .middle_o(middle_o),
+    .first_row_o(first_row_o),
+    .last_row_o(last_row_o),
+    .switch_row_o(switch_row_o),
+    .side_o(side_o)
+  );
+
+  // left.x to a column of the tile, in units of 8
+  always_comb begin
+    anchor_o = '0;
+    anchor_o[RowBits-4:0] = left_o.x[RowBits-1:3];
+    if (|left_o.x[11:RowBits]) anchor_o[RowBits-4:0] = '1;
+    if (left_o.x[12] || covering_q) anchor_o = '0;
+  end
+
+  raster_load_depth #(
+    .StreamBits(StreamBits)
+  ) depth (
+    .clk_i(clk_i),
+    .write_i(take_part[gloss_pkg::PART_DEPTH]),
+    .row_i(op_i.row),
+    .data_i(data_i),
+    .compact_i(compact_q),
+    .depth_o(depth_o)
+  );
+
+  // A part that is not sent is set at the colour part's first row.
+  logic set_constant;
+  assign set_constant = take_part[gloss_pkg::PART_COLOUR] && op_i.row == '0 && !alpha_linear_q;
+
+  raster_load_alpha #(
+    .StreamBits(StreamBits)
+  ) alpha (
+    .clk_i(clk_i),
+    .write_i(take_part[gloss_pkg::PART_ALPHA]),
+    .row_i(op_i.row),
+    .data_i(data_i),
+    .set_i(set_constant),
+    .constant_i(alpha_constant_q),
+    .alpha_o(alpha_o),
+    .dx_o(alpha_dx_o),
+    .dy_o(alpha_dy_o)
+  );
+
+  gloss_pkg::surface_t [2:0] surface;
+
+  for (genvar c = 0; c < 3; c++) begin : gen_colour
+    gloss_pkg::surface_t channel;
+    raster_load_surface #(
+      .StreamBits(StreamBits),
+      .Channel(c)
+    ) colour (
+      .clk_i(clk_i),
+      .write_i(take_part[gloss_pkg::PART_COLOUR]),
+      .row_i(op_i.row),
+      .data_i(data_i),
+      .shading_i(shading_q),
+      .surface_o(channel)
+    );
+    assign surface[c] = channel;
+  end
+
+  assign red_o = surface[0];
+  assign green_o = surface[1];
+  assign blue_o = surface[2];
+
+endmodule

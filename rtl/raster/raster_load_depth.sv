@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The depth part of a record. Wide: 40 bits each, the high bytes in a fourth word. Compact: a word each, sign-extended
+// and shifted left.
+module raster_load_depth #(
+  parameter int unsigned StreamBits = 32
+) (
+  input  logic                    clk_i,
+
+  // from raster_load
+  input  logic                    write_i,
+  input  logic [4:0]              row_i,
+  input  logic [StreamBits-1:0]   data_i,
+  input  logic                    compact_i,
+
+  // to shade
+  output gloss_pkg::depth_plane_t depth_o
+);
+
+  localparam int unsigned Lanes = StreamBits / 32;
+  localparam int unsigned Low = gloss_pkg::DepthCompactShift;
+
+  logic [2:0][39:0] plane; // z, dx, dy
+  logic [31:0]      high;
+  logic             take_high, unused_high;
+
+  assign high = data_i[32*(3%Lanes) +: 32];
+  assign take_high = write_i && row_i == 5'(3/Lanes);
+  assign unused_high = ^high;
+
+  for (genvar n = 0; n < 3; n++) begin : gen_word
+    logic [31:0] word;
+    logic        take;
+    logic [39:0] value_q;
+
+    assign word = data_i[32*(n%Lanes) +: 32];
+    assign take = write_i && row_i == 5'(n/Lanes);
+
+    always_ff @(posedge clk_i) begin
+      if (take) value_q[31:0] <= compact_i ? {word[31-Low:0], {Low{1'b0}}} : word;
+      if (compact_i ? take : take_high) begin
+        value_q[39:32] <= compact_i ? {{(8-Low){word[31]}}, word[31:32-Low]} : high[8*n +: 8];
+      end
+    end
+
+    assign plane[n] = value_q;
+  end
+
+  assign depth_o = {plane[0], plane[1], plane[2]};
+
+endmodule

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The edge part of a record, from either form. clear_i makes its rows those of a covering triangle.
+module raster_load_edges #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned StreamBits = 32,
+  localparam int unsigned RowBits = $clog2(TileSize)
+) (
+  input  logic                   clk_i,
+
+  // from raster_load
+  input  logic                   clear_i,
+  input  logic                   write_i,
+  input  logic [4:0]             row_i,
+  input  logic [StreamBits-1:0]  data_i,
+  input  logic                   compact_i,
+
+  // to raster_walk and raster_row
+  output gloss_pkg::edge_line_t  left_o,
+  output gloss_pkg::edge_line_t  right_o,
+  output gloss_pkg::edge_line_t  middle_o,
+  output logic [RowBits-1:0]     first_row_o,
+  output logic [RowBits-1:0]     last_row_o,
+  output logic [5:0]             switch_row_o,
+  output logic                   side_o
+);
+
+  localparam int unsigned Lanes = StreamBits / 32;
+
+  gloss_pkg::edge_line_t [2:0] line;
+  logic [1:0]                  take_rows; // the word with the rows, that with the switch
+  logic [31:0]                 rows_word [2];
+
+  // Left, right, middle: three words of a wide edge, two of a compact one. What else is in those words is at the same
+  // bits in both forms: in the last word of a wide edge, in the second of a compact one.
+  for (genvar e = 0; e < 3; e++) begin : gen_edge
+    logic [31:0] wide_x, wide_rm, wide_dy, compact_rmd, compact_x;
+    logic        take_x, take_rm, take_dy;
+
+    assign wide_x = data_i[32*((3*e)%Lanes) +: 32];
+    assign wide_rm = data_i[32*((3*e+1)%Lanes) +: 32];
+    assign wide_dy = data_i[32*((3*e+2)%Lanes) +: 32];
+    assign compact_rmd = data_i[32*((2*e)%Lanes) +: 32];
+    assign compact_x = data_i[32*((2*e+1)%Lanes) +: 32];
+
+    assign take_x = write_i && row_i == (compact_i ? 5'((2*e+1)/Lanes) : 5'((3*e)/Lanes));
+    assign take_rm = write_i && row_i == (compact_i ? 5'((2*e)/Lanes) : 5'((3*e+1)/Lanes));
+    assign take_dy = write_i && row_i == (compact_i ? 5'((2*e)/Lanes) : 5'((3*e+2)/Lanes));
+
+    gloss_pkg::edge_line_t line_q;
+    logic                  unused;
+    assign unused = ^{wide_x, wide_dy, compact_rmd, compact_x};
+
+    always_ff @(posedge clk_i) begin
+      if (take_x) begin
+        line_q.x <= compact_i ? {{5{compact_x[7]}}, compact_x[7:0]} : wide_x[12:0];
+        line_q.step <= compact_i ? {{5{compact_x[15]}}, compact_x[15:8]} : wide_x[28:16];
+      end
+      if (take_rm) begin
+        line_q.r <= compact_i ? {6'd0, compact_rmd[9:0]} : wide_rm[15:0];
+        line_q.m <= compact_i ? {6'd0, compact_rmd[19:10]} : wide_rm[31:16];
+      end
+      if (take_dy) line_q.dy <= compact_i ? {6'd0, compact_rmd[29:20]} : wide_dy[15:0];
+    end
+
+    assign line[e] = line_q;
+
+    if (e < 2) begin : gen_rows
+      assign rows_word[e] = compact_i ? compact_x : wide_dy;
+      assign take_rows[e] = compact_i ? take_x : take_dy;
+    end
+  end
+
+  assign left_o = line[0];
+  assign right_o = line[1];
+  assign middle_o = line[2];
+
+  logic unused_rows;
+  assign unused_rows = ^{rows_word[0], rows_word[1]};
+
+  always_ff @(posedge clk_i) begin
+    if (clear_i) begin
+      first_row_o <= '0;
+      last_row_o <= RowBits'(TileSize - 1);
+    end else if (take_rows[0]) begin
+      first_row_o <= rows_word[0][16 +: RowBits];
+      last_row_o <= rows_word[0][24 +: RowBits];
+    end
+    if (take_rows[1]) begin
+      switch_row_o <= rows_word[1][21:16];
+      side_o <= rows_word[1][24];
+    end
+  end
+
+endmodule

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Turns the spans of a triangle into blocks and drives shade. Shade's row state stands at a block; this module moves it
+// to the first block of the next row, one block or one row a clock (two clocks for a block to the left), while the run
+// of the present row sends a block a clock. A row starts its run in the clock in which the row state goes down.
+//
+// Between the last block of a triangle and the first of the next, or the mark of a tile's end, two clocks without a
+// block pass: tile memory and shade rely on it.
+// The block of a command is out Latency clocks after the command was taken, together with its colours.
+module raster_row #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned PixelsPerClock = 1,
+  parameter int unsigned Latency = 5, // at least 4
+  localparam int unsigned XBits = $clog2(TileSize / PixelsPerClock),
+  localparam int unsigned YBits = $clog2(TileSize),
+  localparam int unsigned LaneBits = (PixelsPerClock == 1) ? 1 : $clog2(PixelsPerClock)
+) (
+  input  logic                      clk_i,
+  input  logic                      rst_ni,
+
+  // from raster_load
+  input  logic                      valid_i,      // a record, or a tile's end
+  output logic                      take_o,
+  input  logic                      end_i,        // a tile's end; then only state_i.bank matters
+  input  logic [XBits-1:0]          anchor_i,     // block
+  input  logic [YBits-1:0]          first_row_i,
+  input  gloss_pkg::pixel_state_t   state_i,
+
+  // from raster_walk
+  input  logic                      span_valid_i,
+  output logic                      span_ready_o,
+  input  logic                      span_last_i,
+  input  logic                      span_empty_i,
+  input  logic [XBits-1:0]          span_block_i,
+  input  logic [XBits-1:0]          span_more_i,
+  input  logic [LaneBits-1:0]       span_low_i,
+  input  logic [LaneBits-1:0]       span_high_i,
+
+  // to shade
+  output gloss_pkg::shade_command_t command_o,
+
+  // to fragment
+  output logic                      block_valid_o,
+  output logic [XBits-1:0]          block_x_o,
+  output logic [YBits-1:0]          block_y_o,
+  output logic [PixelsPerClock-1:0] block_mask_o,
+  output gloss_pkg::pixel_state_t   block_state_o,
+  output logic                      end_o,
+  output logic                      end_bank_o,
+
+  output logic                      idle_o
+);
+
+  // ---- what to do in this clock ----
+  logic             busy_q;       // a triangle is under way
+  logic             new_q;        // and none of its blocks is out yet
+  logic             left_q;       // second clock of a move to the left
+  logic [XBits-1:0] column_q;     // block the row state stands at
+  logic [YBits-1:0] row_q;
+  logic [XBits-1:0] run_more_q;   // blocks the run still has to send
+  logic [1:0]       recent_q;     // a block or mark was sent one, two clocks ago
+  logic             at_block, quiet, start, step, send_end;
+
+  assign at_block = column_q == span_block_i;
+  assign quiet = recent_q == '0;
+  assign step = run_more_q != '0;
+
+  always_comb begin
+    command_o.slopes = 1'b0;
+    command_o.values = 1'b0;
+    command_o.move = gloss_pkg::MOVE_DOWN;
+    command_o.start = 1'b0;
+    command_o.step = step;
+    take_o = 1'b0;
+    send_end = 1'b0;
+    span_ready_o = 1'b0;
+    if (!busy_q) begin
+      send_end = valid_i && end_i && !step && quiet;
+      take_o = (valid_i && !end_i) || send_end;
+      command_o.slopes = valid_i && !end_i;
+      command_o.values = valid_i && !end_i;
+      command_o.move = gloss_pkg::MOVE_LOAD;
+    end else if (left_q) begin
+      command_o.values = 1'b1;
+      command_o.move = gloss_pkg::MOVE_LEFT;
+    end else if (span_valid_i) begin
+      if (span_empty_i || at_block) begin
+        command_o.start = !span_empty_i && !step && (!new_q || quiet);
+        span_ready_o = span_empty_i || command_o.start;
+        command_o.slopes = span_ready_o;
+        command_o.values = span_ready_o;
+      end else if (column_q < span_block_i) begin
+        command_o.slopes = 1'b1;
+        command_o.values = 1'b1;
+        command_o.move = gloss_pkg::MOVE_RIGHT;
+      end else begin
+        command_o.slopes = 1'b1;
+        command_o.move = gloss_pkg::MOVE_LEFT;
+      end
+    end
+  end
+
+  assign start = command_o.start;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      busy_q <= 1'b0;
+      left_q <= 1'b0;
+      run_more_q <= '0;
+      recent_q <= '0;
+    end else begin
+      if (!busy_q) busy_q <= take_o && !end_i;
+      else if (span_ready_o && span_last_i) busy_q <= 1'b0;
+      left_q <= command_o.slopes && command_o.move == gloss_pkg::MOVE_LEFT;
+      if (start) run_more_q <= span_more_i;
+      else if (step) run_more_q <= run_more_q - 1'b1;
+      recent_q <= {recent_q[0], start || step || send_end};
+    end
+  end
+
+  gloss_pkg::pixel_state_t state_q;
+
+  always_ff @(posedge clk_i) begin
+    if (take_o) begin
+      column_q <= anchor_i;
+      row_q <= first_row_i;
+      new_q <= 1'b1;
+      state_q <= state_i;
+    end else begin
+      if (command_o.slopes && command_o.move == gloss_pkg::MOVE_RIGHT) column_q <= column_q + 1'b1;
+      if (command_o.slopes && command_o.move == gloss_pkg::MOVE_LEFT) column_q <= column_q - 1'b1;
+      if (span_ready_o) row_q <= row_q + 1'b1;
+      if (start) new_q <= 1'b0;
+    end
+  end
+
+  // ---- the run's block ----
+  logic [XBits-1:0]    run_x_q;
+  logic [YBits-1:0]    run_y_q;
+  logic                run_first_q, run_last_q;
+  logic [LaneBits-1:0] run_low_q, run_high_q;
+
+  always_ff @(posedge clk_i) begin
+    run_first_q <= start;
+    run_last_q <= start ? span_more_i == '0 : run_more_q == XBits'(1);
+    if (start) begin
+      run_x_q <= column_q;
+      run_y_q <= row_q;
+      run_low_q <= span_low_i;
+      run_high_q <= span_high_i;
+    end else if (step) begin
+      run_x_q <= run_x_q + 1'b1;
+    end
+  end
+
+  logic [PixelsPerClock-1:0] run_mask;
+
+  if (PixelsPerClock == 1) begin : gen_mask_1
+    logic unused;
+    assign unused = ^{run_first_q, run_last_q, run_low_q, run_high_q};
+    assign run_mask = 1'b1;
+  end else begin : gen_mask
+    localparam logic [PixelsPerClock-1:0] All = '1;
+    assign run_mask = (run_first_q ? All << run_low_q : All) &
+                      (run_last_q ? ~((All << 1) << run_high_q) : All);
+  end
+
+  // ---- beside shade's pipeline ----
+  // Element n is n + 1 clocks after the command.
+  logic [Latency-1:0]                        valid_q, end_q;
+  logic [XBits+YBits+PixelsPerClock-1:0]     place_q [Latency-1];
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_q <= '0;
+      end_q <= '0;
+    end else begin
+      valid_q <= {valid_q[Latency-2:0], start || step};
+      end_q <= {end_q[Latency-2:0], send_end};
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    place_q[0] <= {run_x_q, run_y_q, run_mask};
+    for (int n = 1; n < Latency - 1; n++) place_q[n] <= place_q[n-1];
+  end
+
+  // The state of a triangle stays for three clocks after its last block, so it is handed on every third clock only.
+  localparam int unsigned Stations = (Latency - 1) / 3 + 1;
+  gloss_pkg::pixel_state_t station_q [Stations];
+
+  always_ff @(posedge clk_i) begin
+    if (start || send_end) station_q[0] <= send_end ? state_i : state_q;
+    for (int n = 1; n < Stations; n++) begin
+      if (valid_q[3*n-1] || end_q[3*n-1]) station_q[n] <= station_q[n-1];
+    end
+  end
+
+  assign block_valid_o = valid_q[Latency-1];
+  assign {block_x_o, block_y_o, block_mask_o} = place_q[Latency-2];
+  assign block_state_o = station_q[Stations-1];
+  assign end_o = end_q[Latency-1];
+  assign end_bank_o = block_state_o.bank;
+
+  assign idle_o = !busy_q && run_more_q == '0 && valid_q == '0 && end_q == '0;
+
+endmodule

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks down the rows of a triangle, one a clock: steps both edges, clips the row to tile and scissor and says which
+// blocks it spans. Runs ahead of raster_row, which takes the spans, and begins the next triangle on its own.
+//
+// A span is out four clocks after its row began. Rows with nothing to draw come too, as empty spans: raster_row has to
+// step over them.
+module raster_walk #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned PixelsPerClock = 1,
+  localparam int unsigned XBits = $clog2(TileSize / PixelsPerClock),
+  localparam int unsigned RowBits = $clog2(TileSize),
+  localparam int unsigned LaneBits = (PixelsPerClock == 1) ? 1 : $clog2(PixelsPerClock)
+) (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+
+  // from raster_load
+  input  logic                  valid_i,
+  output logic                  take_o,      // the record is copied in this clock
+  input  gloss_pkg::edge_line_t left_i,
+  input  gloss_pkg::edge_line_t right_i,
+  input  gloss_pkg::edge_line_t middle_i,
+  input  logic                  covering_i,  // whole rows, no edges
+  input  logic [RowBits-1:0]    first_row_i,
+  input  logic [RowBits-1:0]    last_row_i,
+  input  logic [5:0]            switch_row_i,
+  input  logic                  side_i,
+  input  gloss_pkg::clip_t      clip_i,
+
+  // to raster_row
+  output logic                  span_valid_o,
+  input  logic                  span_ready_i,
+  output logic                  span_last_o,     // of the triangle
+  output logic                  span_empty_o,
+  output logic [XBits-1:0]      span_block_o,    // first block
+  output logic [XBits-1:0]      span_more_o,     // blocks after it
+  output logic [LaneBits-1:0]   span_low_o,      // first lane of the first block
+  output logic [LaneBits-1:0]   span_high_o,     // last lane of the last block
+
+  output logic                  idle_o
+);
+
+  localparam int unsigned Shift = $clog2(PixelsPerClock);
+
+  logic advance; // every stage moves on
+
+  // ---- 1st stage: row counters, remainders ----
+  logic       busy_q, first_q, covering_q, side_q;
+  logic       next_switches, switched_q;
+  logic [5:0] switch_count_q;
+  logic [RowBits-1:0] row_q, rows_left_q;
+
+  gloss_pkg::clip_t      clip_q;
+  gloss_pkg::edge_line_t middle_q;
+
+  logic edge_valid_q, column_valid_q; // the 2nd and 3rd stage hold a row
+  logic step_r, step_x;
+
+  // Registers that stages after the first read go with the record, so those have to be empty.
+  assign take_o = valid_i && !busy_q && !edge_valid_q && !column_valid_q;
+  assign step_r = advance && busy_q;
+  assign step_x = step_r && !first_q;
+
+  assign next_switches = switch_count_q == 6'd1;
+
+  always_ff @(posedge clk_i) begin
+    if (take_o) begin
+      middle_q <= middle_i;
+      covering_q <= covering_i;
+      side_q <= side_i;
+      clip_q <= clip_i;
+      row_q <= first_row_i;
+      rows_left_q <= last_row_i;
+      switch_count_q <= switch_row_i;
+      first_q <= 1'b1;
+    end else if (step_r) begin
+      row_q <= row_q + 1'b1;
+      rows_left_q <= rows_left_q - 1'b1;
+      switch_count_q <= switch_count_q - 1'b1;
+      switched_q <= next_switches;
+      first_q <= 1'b0;
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      busy_q <= 1'b0;
+      edge_valid_q <= 1'b0;
+    end else begin
+      if (take_o) busy_q <= 1'b1;
+      else if (step_r && rows_left_q == '0) busy_q <= 1'b0;
+      if (advance) edge_valid_q <= busy_q;
+    end
+  end
+
+  // ---- 2nd stage: columns, 13 bits ----
+  logic signed [12:0] left_x, right_x;
+  logic               edge_last_q, edge_inside_q;
+
+  raster_edge left_edge (
+    .clk_i(clk_i),
+    .load_i(take_o),
+    .step_r_i(step_r),
+    .switch_r_i(next_switches && !side_q),
+    .step_x_i(step_x),
+    .switch_x_i(switched_q && !side_q),
+    .line_i(left_i),
+    .middle_i(middle_q),
+    .x_o(left_x)
+  );
+
+  raster_edge right_edge (
+    .clk_i(clk_i),
+    .load_i(take_o),
+    .step_r_i(step_r),
+    .switch_r_i(next_switches && side_q),
+    .step_x_i(step_x),
+    .switch_x_i(switched_q && side_q),
+    .line_i(right_i),
+    .middle_i(middle_q),
+    .x_o(right_x)
+  );
+
+  // ---- 3rd stage: columns 0 to 127, enough to compare with a scissor ----
+  function automatic logic [6:0] column(input logic [12:0] x);
+    column = x[12] ? 7'd0 : |x[11:7] ? 7'd127 : x[6:0];
+  endfunction
+
+  logic       column_last_q, column_inside_q;
+  logic [6:0] column_left_q, column_right_q;
+
+  // ---- 4th stage: clipped ----
+  logic       clip_valid_q, clip_last_q, clip_inside_q;
+  logic [6:0] clip_low_q, clip_high_q; // low <= x < high
+
+  // ---- the span ----
+  logic       empty;
+  logic [RowBits-1:0] last_pixel;
+  logic [XBits-1:0] first_block, last_block;
+
+  assign empty = !clip_inside_q || clip_low_q >= clip_high_q;
+  assign last_pixel = clip_high_q[RowBits-1:0] - 1'b1;
+  assign first_block = clip_low_q[Shift +: XBits];
+  assign last_block = last_pixel[Shift +: XBits];
+
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      edge_last_q <= rows_left_q == '0;
+      edge_inside_q <= 7'(row_q) >= clip_q.y0 && 7'(row_q) < clip_q.y1;
+
+      column_last_q <= edge_last_q;
+      column_inside_q <= edge_inside_q;
+      column_left_q <= covering_q ? 7'd0 : column(left_x);
+      column_right_q <= covering_q ? 7'd127 : column(right_x);
+
+      clip_last_q <= column_last_q;
+      clip_inside_q <= column_inside_q;
+      clip_low_q <= column_left_q > clip_q.x0 ? column_left_q : clip_q.x0;
+      clip_high_q <= column_right_q < clip_q.x1 ? column_right_q : clip_q.x1;
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      column_valid_q <= 1'b0;
+      clip_valid_q <= 1'b0;
+    end else if (advance) begin
+      column_valid_q <= edge_valid_q;
+      clip_valid_q <= column_valid_q;
+    end
+  end
+
+  stream_register #(
+    .Width(2 + 2 * XBits + 2 * LaneBits)
+  ) spans (
+    .clk_i(clk_i),
+    .rst_ni(rst_ni),
+    .valid_i(clip_valid_q),
+    .ready_o(advance),
+    .data_i({clip_last_q, empty, first_block, last_block - first_block,
+             clip_low_q[LaneBits-1:0], last_pixel[LaneBits-1:0]}),
+    .valid_o(span_valid_o),
+    .ready_i(span_ready_i),
+    .data_o({span_last_o, span_empty_o, span_block_o, span_more_o, span_low_o, span_high_o})
+  );
+
+  assign idle_o = !busy_q && !edge_valid_q && !column_valid_q && !clip_valid_q && !span_valid_o;
+
+endmodule

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A block of a plane to its K pixels: pixel l has value_i + l*dx_i, as a tree of additions like shade_surface_lanes and
+// with its latency, so the tree waits one clock for K > 1. dx_i is used in the first three clocks only and may then
+// change.
+module shade_plane_lanes #(
+  parameter int unsigned PixelsPerClock = 1,
+  parameter int unsigned Width = 40,
+  parameter int unsigned Fraction = 12,
+  parameter int unsigned LevelBits = 24
+) (
+  input  logic                                clk_i,
+  input  logic [Width-1:0]                    value_i,
+  input  logic [Width-1:0]                    dx_i,
+  output logic [LevelBits*PixelsPerClock-1:0] level_o
+);
+
+  localparam int unsigned Top = Fraction + LevelBits; // the lowest bit that means too large
+
+  logic [Width-1:0] pixel [PixelsPerClock];
+
+  if (PixelsPerClock == 1) begin : gen_1
+    logic unused;
+    assign unused = ^dx_i;
+    assign pixel[0] = value_i;
+  end else begin : gen_many
+    // Level s of the tree has 2^s pixels, K/2^s apart.
+    localparam int unsigned Levels = $clog2(PixelsPerClock);
+    logic [Width-1:0] first_q, dx_q;
+    always_ff @(posedge clk_i) begin
+      first_q <= value_i;
+      dx_q <= dx_i;
+    end
+    for (genvar s = 0; s <= Levels; s++) begin : gen_level
+      logic [Width-1:0] node [2**s];
+      if (s == 0) begin : gen_root
+        assign node[0] = first_q;
+      end else begin : gen_split
+        for (genvar n = 0; n < 2**s / 2; n++) begin : gen_node
+          logic [Width-1:0] left_q, right_q;
+          always_ff @(posedge clk_i) begin
+            left_q <= gen_level[s-1].node[n];
+            right_q <= gen_level[s-1].node[n] + (dx_q << (Levels - s));
+          end
+          assign node[2*n] = left_q;
+          assign node[2*n+1] = right_q;
+        end
+      end
+    end
+    for (genvar l = 0; l < PixelsPerClock; l++) begin : gen_pixel
+      assign pixel[l] = gen_level[Levels].node[l];
+    end
+  end
+
+  for (genvar l = 0; l < PixelsPerClock; l++) begin : gen_clamp
+    always_ff @(posedge clk_i) begin
+      level_o[LevelBits*l +: LevelBits] <= pixel[l][Width-1] ? '0 :
+                                           |pixel[l][Width-2:Top] ? '1 : pixel[l][Top-1:Fraction];
+    end
+  end
+
+endmodule
