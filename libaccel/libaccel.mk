@@ -2,7 +2,7 @@
 # The library, shared and static. Lists of objects come from model.mk and draw.mk.
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c \
-	transport_model.c engine.c range.c option.c) $(DRAW_SOURCES)
+	transport_model.c transport_sim.c engine.c range.c option.c) $(wildcard $(DRAW_SOURCES))
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread
 ACCEL_SONAME := libaccel.so.0
@@ -11,6 +11,18 @@ $(BUILD)/libaccel/%.o: libaccel/%.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -fPIC -pthread -MMD -MP -c $< -o $@
+
+# Where the library looks for plugins once it is installed; rebuilt when that changes.
+ACCEL_SIM_DIR := $(LIBDIR)/gloss
+LINT_C += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
+$(BUILD)/libaccel/sim_dir: FORCE
+	@mkdir -p $(@D)
+	@echo '$(ACCEL_SIM_DIR)' | cmp -s - $@ || echo '$(ACCEL_SIM_DIR)' >$@
+$(BUILD)/libaccel/transport_sim.o: $(BUILD)/libaccel/sim_dir
+$(BUILD)/libaccel/transport_sim.o: ACCEL_CFLAGS += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
+
+.PHONY: FORCE
+FORCE:
 
 $(BUILD)/libaccel.so: $(ACCEL_OBJS) libaccel/libaccel.map
 	$(call quiet,LD,$@)
@@ -41,6 +53,42 @@ lib: $(BUILD)/libaccel.so $(BUILD)/libaccel.a ## build the library alone, which 
 
 ALL += lib
 
+# The Verilated core as plugins of "sim:", by tile size and lanes; each has the stream port
+# that its lanes need. SIM_CORES are those that `make all` builds and `make install` installs.
+SIM_CORES ?= t64-k8
+SIM_CORES_ALL := t64-k1 t64-k2 t64-k4 t64-k8 t32-k1 t32-k2 t32-k4 t32-k8
+SIM_STREAM_BITS := 1:32 2:64 4:64 8:128
+SIM_DIR ?= $(BUILD)/sim
+
+sim_tile = $(patsubst t%,%,$(firstword $(subst -k, ,$(1))))
+sim_lanes = $(lastword $(subst -k, ,$(1)))
+sim_stream = $(patsubst $(sim_lanes):%,%,$(filter $(sim_lanes):%,$(SIM_STREAM_BITS)))
+
+SIM_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) \
+	-DSIM_TILE=$(call sim_tile,$*) -DSIM_LANES=$(call sim_lanes,$*) \
+	-DSIM_STREAM_BITS=$(call sim_stream,$*)
+
+$(BUILD)/sim/accel-sim-%.so: libaccel/sim_wrapper.cpp libaccel/sim_memory.h libaccel/sim_port.h \
+		libaccel/sim.h libaccel/sim.map libaccel/job.h libaccel/gloss_packets.h \
+		$(RTL_SOURCES) rtl/gloss_hw.svh
+	$(call quiet,SIM,$@)
+	@mkdir -p $(BUILD)/sim/$*
+	$(Q)verilator --cc --exe --build -sv -O3 --x-assign fast --x-initial fast --noassert \
+		-Wno-lint -Wno-style -Irtl --top-module gloss_core --prefix Vgloss_core \
+		-GTileSize=$(call sim_tile,$*) -GPixelsPerClock=$(call sim_lanes,$*) \
+		-GStreamBits=$(call sim_stream,$*) --Mdir $(BUILD)/sim/$* \
+		-MAKEFLAGS 'OPT_FAST="$(CXXFLAGS)"' -CFLAGS '$(SIM_CXXFLAGS)' \
+		-LDFLAGS '-shared -Wl,--version-script=$(abspath libaccel/sim.map)' \
+		$(RTL_SOURCES) $(abspath libaccel/sim_wrapper.cpp) -o $(abspath $@) \
+		>$(BUILD)/sim/$*/log 2>&1 || { cat $(BUILD)/sim/$*/log; exit 1; }
+
+.PHONY: sim
+sim: $(SIM_CORES_ALL:%=$(BUILD)/sim/accel-sim-%.so) ## build the simulator plugins of all cores
+
+ifneq ($(wildcard rtl/gloss_core.sv),)
+ALL += $(SIM_CORES:%=$(BUILD)/sim/accel-sim-%.so)
+endif
+
 # Unit tests in C: tests/unit/test_<file>.c may use, or include, any part of the library.
 $(BUILD)/tests/unit/test_%: tests/unit/test_%.c $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
@@ -50,6 +98,6 @@ $(BUILD)/tests/unit/test_%: tests/unit/test_%.c $(BUILD)/libaccel/parts.a
 
 run-test_%: $(BUILD)/tests/unit/test_%
 	$(call quiet,TEST,$*)
-	$(Q)$<
+	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) $<
 
 -include $(wildcard $(BUILD)/tests/unit/*.d)

@@ -17,6 +17,9 @@
 #define GLOSS_SIM_ABI 1
 #define GLOSS_SIM_SYMBOL "gloss_sim"
 
+/* Clocks without a transfer: many times what the longest run of pixels takes. */
+#define GLOSS_SIM_QUIET (1u << 17)
+
 struct gloss_sim;
 
 /* Where the clocks of a job went, as time_counters_t in rtl/gloss_pkg.sv. */
@@ -43,10 +46,17 @@ struct gloss_sim_ops {
 	 */
 	void (*stalls)(struct gloss_sim *sim, uint64_t seed);
 
-	/* Runs a job to its end. @clocks may be NULL. -ETIME: it did not end in @limit
-	 * clocks, and the core was reset. */
+	/*
+	 * Runs a job to its end. @clocks may be NULL.
+	 * -ETIME: it did not end in @limit clocks, or nothing moved at any port for
+	 * GLOSS_SIM_QUIET of them; -EPROTO: the core broke the rules of a port, see
+	 * violation. After either the core was reset, and takes the next job.
+	 */
 	int (*run)(struct gloss_sim *sim, const struct gloss_job *job, uint64_t limit,
 		   struct gloss_status *status, struct gloss_sim_clocks *clocks);
+
+	/* The rule that the last run's -EPROTO was about. */
+	const char *(*violation)(const struct gloss_sim *sim);
 };
 
 #endif

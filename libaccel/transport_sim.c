@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+/* "sim:": the Verilated core, from a plugin (sim.h), on a thread of this process. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <limits.h>
+#include <link.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "engine.h"
+#include "option.h"
+#include "sim.h"
+
+/* How many times what a packet should take at most before the job counts as hung: a memory
+ * that stalls nearly always is in it. */
+#define PATIENCE 64
+#define JOB_CLOCKS 4096
+
+struct transport_sim {
+	struct accel_engine engine;	/* first, see engine.h */
+	void *plugin;
+	const struct gloss_sim_ops *ops;
+	struct gloss_sim *sim;
+	pthread_mutex_t lock;		/* protects clocks */
+	struct accel_device_clocks clocks;
+};
+
+/* ---- running a job ---- */
+
+/* What a packet at most takes at one pixel and one word a clock. */
+static uint64_t sim_packet_clocks(const uint32_t *packet, uint64_t words, uint64_t tile)
+{
+	switch (gloss_header_opcode(packet[0])) {
+	case GLOSS_OP_TILE_BEGIN:
+	case GLOSS_OP_TILE_END:
+		return 2 * tile * tile;
+	case GLOSS_OP_TRIANGLE:
+		return tile * tile;
+	case GLOSS_OP_READ_MEMORY:
+		return words > 1 ? packet[1] >> 16 : 0;
+	default:
+		return 0;
+	}
+}
+
+/* A core that takes longer hangs. */
+static uint64_t sim_limit(const struct gloss_job *job, uint64_t tile)
+{
+	uint64_t at = 0, clocks = JOB_CLOCKS + (uint64_t)job->stream_words;
+
+	while (at < job->stream_words) {
+		clocks += sim_packet_clocks(job->stream + at, job->stream_words - at, tile);
+		at += 1 + gloss_header_length(job->stream[at]);
+	}
+	return PATIENCE * clocks;
+}
+
+static void sim_add_clocks(struct transport_sim *transport, const struct gloss_sim_clocks *job)
+{
+	struct accel_device_clocks *sum = &transport->clocks;
+
+	pthread_mutex_lock(&transport->lock);
+	sum->clocks += job->clocks;
+	sum->stall_stream += job->stall_stream;
+	sum->stall_raster += job->stall_raster;
+	sum->stall_tile += job->stall_tile;
+	sum->stall_memory += job->stall_memory;
+	sum->stall_response += job->stall_response;
+	pthread_mutex_unlock(&transport->lock);
+}
+
+static int sim_run(void *data, const struct gloss_job *job, struct gloss_status *status)
+{
+	struct transport_sim *transport = data;
+	struct gloss_sim_clocks clocks;
+	int err;
+
+	err = transport->ops->run(transport->sim, job, sim_limit(job, transport->ops->tile_size),
+				  status, &clocks);
+	if (!err)
+		sim_add_clocks(transport, &clocks);
+	return err;
+}
+
+/* ---- finding the plugin ---- */
+
+/* The directory sim/ beside this library, or beside the program it is linked into. */
+static int sim_beside(char *path, size_t size)
+{
+	struct link_map *map;
+	char self[PATH_MAX], *slash;
+	Dl_info info;
+	int length;
+
+	if (!dladdr1(&accel_transport_sim, &info, (void **)&map, RTLD_DL_LINKMAP))
+		return -ENOENT;
+	if (!realpath(*map->l_name ? map->l_name : "/proc/self/exe", self))
+		return -ENOENT;
+	slash = strrchr(self, '/');
+	*slash = '\0';
+	length = snprintf(path, size, "%s/sim", self);
+	return length < 0 || (size_t)length >= size ? -ENOENT : 0;
+}
+
+static bool sim_fits(const struct gloss_sim_ops *ops, uint64_t tile, uint64_t lanes)
+{
+	return ops && ops->abi == GLOSS_SIM_ABI && ops->version == GLOSS_VERSION &&
+	       ops->tile_size == tile && ops->pixels_per_clock == lanes;
+}
+
+/* -ENOENT: the directory has no such file. */
+static int sim_load_from(struct transport_sim *transport, const char *directory, uint64_t tile,
+			 uint64_t lanes, struct accel_transport_error *error)
+{
+	char path[PATH_MAX];
+	int length;
+
+	length = snprintf(path, sizeof(path), "%s/accel-sim-t%u-k%u.so", directory,
+			  (unsigned int)tile, (unsigned int)lanes);
+	if (length < 0 || (size_t)length >= sizeof(path) || access(path, F_OK))
+		return -ENOENT;
+	transport->plugin = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+	if (!transport->plugin) {
+		accel_transport_say(error, "%s", dlerror());
+		return -ENOSYS;
+	}
+	transport->ops = dlsym(transport->plugin, GLOSS_SIM_SYMBOL);
+	if (sim_fits(transport->ops, tile, lanes))
+		return 0;
+	dlclose(transport->plugin);
+	accel_transport_say(error, "%s is no simulator of this version", path);
+	return -ENOSYS;
+}
+
+static int sim_load(struct transport_sim *transport, uint64_t tile, uint64_t lanes,
+		    struct accel_transport_error *error)
+{
+	char beside[PATH_MAX];
+	const char *directory[] = {
+		secure_getenv("GLOSS_SIM_PATH"),
+		sim_beside(beside, sizeof(beside)) ? NULL : beside,
+		ACCEL_SIM_DIR,
+	};
+	size_t i;
+	int err;
+
+	for (i = 0; i < sizeof(directory) / sizeof(directory[0]); i++) {
+		if (!directory[i] || !*directory[i])
+			continue;
+		err = sim_load_from(transport, directory[i], tile, lanes, error);
+		if (err != -ENOENT)
+			return err;
+	}
+	accel_transport_say(error, "accel-sim-t%u-k%u.so is not installed; it was looked for in "
+			    "$GLOSS_SIM_PATH, sim/ beside the library, and " ACCEL_SIM_DIR,
+			    (unsigned int)tile, (unsigned int)lanes);
+	return -ENOSYS;
+}
+
+/* ---- the transport ---- */
+
+struct sim_options {
+	uint64_t tile, lanes, memory, stalls;
+};
+
+static int sim_parse(const char *where, struct sim_options *to,
+		     struct accel_transport_error *error)
+{
+	const struct accel_option options[] = {
+		{ "tile", 32, 64, 0, &to->tile },
+		{ "lanes", 1, 8, 0, &to->lanes },
+		{ "memory", ACCEL_RANGE_ALIGN, ENGINE_MEMORY_MAX, ACCEL_RANGE_ALIGN, &to->memory },
+		{ "stalls", 0, UINT64_MAX, 1, &to->stalls },
+		{ NULL, 0, 0, 0, NULL },
+	};
+
+	*to = (struct sim_options){ .tile = 64, .lanes = 8, .memory = ENGINE_MEMORY_DEFAULT };
+	return accel_option_parse(where, options, error);
+}
+
+static int transport_sim_open(const char *where, void **state, struct accel_transport_error *error)
+{
+	struct transport_sim *transport;
+	struct sim_options options;
+	int err;
+
+	err = sim_parse(where, &options, error);
+	if (err)
+		return err;
+	transport = calloc(1, sizeof(*transport));
+	if (!transport)
+		return -ENOMEM;
+	err = sim_load(transport, options.tile, options.lanes, error);
+	if (err)
+		goto err_free;
+	err = accel_engine_init(&transport->engine, options.memory, sim_run, transport);
+	if (err)
+		goto err_unload;
+	transport->sim = transport->ops->create(transport->engine.memory, options.memory);
+	if (!transport->sim) {
+		err = -ENOMEM;
+		goto err_engine_fini;
+	}
+	transport->ops->stalls(transport->sim, options.stalls);
+	pthread_mutex_init(&transport->lock, NULL);
+	*state = transport;
+	return 0;
+
+err_engine_fini:
+	accel_engine_fini(&transport->engine);
+err_unload:
+	dlclose(transport->plugin);
+err_free:
+	free(transport);
+	return err;
+}
+
+static void transport_sim_close(void *state)
+{
+	struct transport_sim *transport = state;
+
+	transport->ops->destroy(transport->sim);
+	accel_engine_fini(&transport->engine);
+	dlclose(transport->plugin);
+	pthread_mutex_destroy(&transport->lock);
+	free(transport);
+}
+
+static void transport_sim_info(void *state, struct accel_transport_info *info)
+{
+	const struct transport_sim *transport = state;
+
+	*info = (struct accel_transport_info){
+		.version = transport->ops->version,
+		.tile_size = transport->ops->tile_size,
+		.pixels_per_clock = transport->ops->pixels_per_clock,
+		.memory_size = transport->engine.memory_size,
+	};
+	snprintf(info->name, sizeof(info->name), "Verilated core, %u-pixel tiles, %u lanes",
+		 info->tile_size, info->pixels_per_clock);
+}
+
+static void transport_sim_clocks(void *state, struct accel_device_clocks *clocks)
+{
+	struct transport_sim *transport = state;
+
+	pthread_mutex_lock(&transport->lock);
+	*clocks = transport->clocks;
+	pthread_mutex_unlock(&transport->lock);
+}
+
+const struct accel_transport_ops accel_transport_sim = {
+	.scheme = "sim",
+	.open = transport_sim_open,
+	.close = transport_sim_close,
+	.info = transport_sim_info,
+	.memory_new = accel_engine_memory_new,
+	.memory_free = accel_engine_memory_free,
+	.submit = accel_engine_submit,
+	.wait = accel_engine_wait,
+	.clocks = transport_sim_clocks,
+};
