@@ -22,4 +22,29 @@ $(foreach stream,$(LIB_STREAMS),$(eval $(call lib_bench,$(firstword $(subst -, ,
 rtl-lib: $(LIB_BENCHES) ## the streams of rtl/lib, with random stalls
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
-CHECKS += rtl-lib
+# command, at the ends of its parameters.
+COMMAND_CORES := 32-1-32 64-2-64 64-8-128
+COMMAND_SOURCES = rtl/gloss_pkg.sv $(wildcard rtl/command/*.sv) rtl/memory/memory_slot.sv \
+	rtl/lib/ram_1r1w.sv rtl/lib/ram_fifo.sv rtl/lib/stream_register.sv
+
+COMMAND_MODEL := $(addprefix $(BUILD)/libaccel/model/,command_check.o memory.o)
+
+define command_bench
+$(BUILD)/rtl/command-$(1)-$(2)-$(3)/bench: tests/rtl/tb_command.cpp tests/rtl/command_stream.h \
+		tests/rtl/tb.h $(COMMAND_SOURCES) rtl/gloss_hw.svh $(COMMAND_MODEL)
+	$$(call quiet,RTL,$$@)
+	$(Q)mkdir -p $$(@D)
+	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module command \
+		-GTileSize=$(1) -GPixelsPerClock=$(2) -GStreamBits=$(3) -Irtl --Mdir $$(@D) -o bench \
+		-CFLAGS "-O2 -DTILE=$(1) -DLANES=$(2) -DSTREAM=$(3) -I$$(CURDIR)/libaccel" \
+		$$(COMMAND_SOURCES) $$(CURDIR)/tests/rtl/tb_command.cpp $$(COMMAND_MODEL:%=$$(CURDIR)/%) \
+		>$$(@D)/log || { cat $$(@D)/log; exit 1; }
+COMMAND_BENCHES += $(BUILD)/rtl/command-$(1)-$(2)-$(3)/bench
+endef
+$(foreach core,$(COMMAND_CORES),$(eval $(call command_bench,$(word 1,$(subst -, ,$(core))),$(word 2,$(subst -, ,$(core))),$(word 3,$(subst -, ,$(core))))))
+
+.PHONY: rtl-command
+rtl-command: $(COMMAND_BENCHES) ## command against the model's checks, with random stalls
+	$(Q)for bench in $^; do $$bench || exit 1; done
+
+CHECKS += rtl-lib rtl-command

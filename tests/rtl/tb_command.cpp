@@ -1,0 +1,526 @@
+// SPDX-License-Identifier: MIT
+/*
+ * command against the model's checks: random streams, right and damaged, with random stalls on
+ * every port. What must come out of each port is worked out from the stream and
+ * model_command_check alone; a fault must be the same at the same word, and nothing of the faulty
+ * packet may come out. TILE, LANES and STREAM are the module's parameters.
+ */
+#include <deque>
+
+#include "Vcommand.h"
+#include "command_stream.h"
+
+enum { ROW = STREAM / 32 };
+
+/* Kinds of render ops and states, as in gloss_pkg.sv. */
+enum { HEADER, PAYLOAD, GO, STATE, END, BEGIN };
+enum { STATE_DEPTH, STATE_MASK, STATE_SCISSOR, STATE_RESET };
+
+/* What comes out of one port, in order; each entry a few words. */
+typedef std::deque<std::vector<uint64_t>> Port;
+
+struct Expected {
+	Port render, begin, end, copy, copy_data, response;
+	gloss_status status;
+};
+
+/* Work of other stages, as they would report it. */
+enum { COVERED = 0x12345678, PASSED = 0x9abcdef0 };
+
+class Walker {
+public:
+	Walker(const gloss_job &job, Expected &out) : job(job), out(out)
+	{
+		model.tile_size = TILE;
+		model.job = &job;
+		walk();
+	}
+
+private:
+	void walk()
+	{
+		uint32_t at = 0, word = 0;
+		gloss_fault fault = GLOSS_FAULT_NONE;
+
+		out.render.push_back({ STATE, STATE_RESET });
+		for (; at < job.stream_words; at += 1 + gloss_header_length(job.stream[at])) {
+			fault = model_command_check(&model, at, &word);
+			if (fault)
+				break;
+			execute(job.stream + at);
+		}
+		if (!fault && model.in_tile) {
+			fault = GLOSS_FAULT_ORDER;
+			word = 0;
+		}
+		if (fault && model.in_tile) {
+			out.render.push_back({ END });
+			out.end.push_back({ GLOSS_TILE_OUTPUT_DROP, GLOSS_TILE_OUTPUT_DROP });
+		}
+		out.status = { fault, fault ? at + word : job.stream_words, model.response_used };
+	}
+
+	uint32_t address(const model_target &target, uint32_t offset)
+	{
+		return job.slot[target.slot].base + offset;
+	}
+
+	void copy(const uint32_t *packet)
+	{
+		bool write = gloss_header_opcode(*packet) == GLOSS_OP_WRITE_MEMORY;
+		uint32_t count = write ? gloss_header_length(*packet) - 2 : packet[1] >> 16;
+
+		out.copy.push_back({ write, job.slot[packet[1] & 15].base + packet[2], count });
+		if (write)
+			for (uint32_t n = 0; n < count; n++)
+				out.copy_data.push_back({ packet[3 + n] });
+		else
+			model.response_used += count;
+	}
+
+	void begin(const uint32_t *packet)
+	{
+		gloss_tile_begin p;
+
+		gloss_tile_begin_unpack(packet, &p);
+		out.render.push_back({ BEGIN });
+		out.begin.push_back({ p.colour_load, p.depth_load,
+			p.colour_load ? address(model.state.colour_surface, p.colour) : p.colour,
+			p.depth_load ? address(model.state.depth_surface, p.depth) : p.depth,
+			p.colour_load ? model.state.colour_surface.pitch : 0,
+			p.depth_load ? model.state.depth_surface.pitch : 0 });
+		model.in_tile = true;
+	}
+
+	void end(const uint32_t *packet)
+	{
+		gloss_tile_end p;
+
+		gloss_tile_end_unpack(packet, &p);
+		bool colour = p.colour_output == GLOSS_TILE_OUTPUT_STORE;
+		bool depth = p.depth_output == GLOSS_TILE_OUTPUT_STORE;
+		out.render.push_back({ END });
+		out.end.push_back({ (uint64_t)p.colour_output, (uint64_t)p.depth_output,
+			colour ? address(model.state.colour_surface, p.colour) : 0,
+			depth ? address(model.state.depth_surface, p.depth) : 0,
+			colour ? model.state.colour_surface.pitch : 0,
+			depth ? model.state.depth_surface.pitch : 0 });
+		model.response_used += TILE * TILE * ((p.colour_output == GLOSS_TILE_OUTPUT_ANSWER) +
+						      (p.depth_output == GLOSS_TILE_OUTPUT_ANSWER));
+		model.in_tile = false;
+		model.counters.tiles++;
+	}
+
+	void execute(const uint32_t *packet)
+	{
+		switch (gloss_header_opcode(*packet)) {
+		case GLOSS_OP_WRITE_MEMORY:
+		case GLOSS_OP_READ_MEMORY:
+			return copy(packet);
+		case GLOSS_OP_COUNTERS:
+			for (uint32_t word : { model.counters.triangles, (uint32_t)COVERED,
+					       (uint32_t)PASSED, model.counters.tiles })
+				out.response.push_back({ word });
+			model.response_used += GLOSS_COUNTER_WORDS;
+			return;
+		case GLOSS_OP_COLOUR_SURFACE:
+			model.state.colour_surface = { packet[1] & 15, packet[1] >> 16 };
+			return;
+		case GLOSS_OP_DEPTH_SURFACE:
+			model.state.depth_surface = { packet[1] & 15, packet[1] >> 16 };
+			return;
+		case GLOSS_OP_TILE_BEGIN:
+			return begin(packet);
+		case GLOSS_OP_TILE_END:
+			return end(packet);
+		case GLOSS_OP_DEPTH_STATE:
+			return out.render.push_back({ STATE, STATE_DEPTH, packet[0] });
+		case GLOSS_OP_COLOUR_MASK:
+			return out.render.push_back({ STATE, STATE_MASK, packet[0] });
+		case GLOSS_OP_SCISSOR:
+			return out.render.push_back({ STATE, STATE_SCISSOR, packet[1] });
+		case GLOSS_OP_TRIANGLE:
+			out.render.push_back({ GO });
+			for (uint32_t n = 0; n <= gloss_header_length(*packet); n++)
+				out.render.back().push_back(packet[n]);
+			model.counters.triangles++;
+			return;
+		}
+	}
+
+	const gloss_job &job;
+	Expected &out;
+	struct model model = {};
+};
+
+/* Collects a triangle's rows; its words are right only once RENDER_GO has come. */
+class Record {
+public:
+	void begin(uint32_t word)
+	{
+		gloss_triangle p;
+
+		words = { GO, word };
+		gloss_triangle_unpack(&word, &p);
+		bool wide = p.geometry == GLOSS_GEOMETRY_WIDE;
+		bool compact = p.geometry == GLOSS_GEOMETRY_COMPACT;
+
+		left[0] = wide ? GLOSS_EDGES_WIDE_WORDS : compact ? GLOSS_EDGES_COMPACT_WORDS : 0;
+		left[1] = compact ? GLOSS_DEPTH_COMPACT_WORDS : GLOSS_DEPTH_WIDE_WORDS;
+		left[2] = p.alpha_linear ? GLOSS_ALPHA_LINEAR_WORDS : 0;
+		left[3] = p.shading == GLOSS_SHADING_FLAT ? GLOSS_COLOUR_FLAT_WORDS :
+			  p.shading == GLOSS_SHADING_LINEAR ? GLOSS_COLOUR_LINEAR_WORDS :
+							      GLOSS_COLOUR_SECOND_ORDER_WORDS;
+		row = 0;
+	}
+
+	template <class Data> void add(unsigned int part, unsigned int at, const Data &data)
+	{
+		unsigned int expected = 0;
+
+		while (expected < 3 && !left[expected])
+			expected++;
+		TB_CHECK(part == expected, "row of part %u instead of %u", part, expected);
+		TB_CHECK(at == row, "row %u instead of %u of part %u", at, row, part);
+		for (unsigned int n = 0; n < ROW && left[part]; n++, left[part]--)
+			words.push_back(tb_get(data, 32 * n, 32));
+		row = left[part] ? row + 1 : 0;
+	}
+
+	std::vector<uint64_t> words;
+
+private:
+	unsigned int left[4], row;
+};
+
+class CommandBench : public Bench<Vcommand> {
+public:
+	explicit CommandBench(uint64_t seed) : random(seed)
+	{
+		for (int n = 0; n < PORTS; n++)
+			stall.emplace_back(random);
+	}
+
+	gloss_status run(const gloss_job &job, const Expected &expected);
+
+	Random random;
+	bool stalls = true;
+	uint64_t record_clocks[3];	/* of the first and last RENDER_GO, and how many */
+	bool spoil = false;		/* memory fails at some time */
+
+private:
+	enum { STREAM_IN, RENDER, BEGIN_OP, END_OP, COPY, COPY_DATA, RESPONSE, STATUS, PORTS };
+
+	bool ready(int port) { return !stalls || !stall[port].now(); }
+	void start(const gloss_job &job);
+	void drive(const gloss_job &job);
+	void clock();
+	void settle_queue();
+	void sample_render();
+	void sample_tile();
+	void sample_copy();
+	void take(Port &port, const std::vector<uint64_t> &value, const char *name);
+
+	std::vector<Stall> stall;
+	Expected left;
+	Record record;
+	uint32_t beat, beats;
+	unsigned int open, drawing;	/* tiles between begin and end, and not yet drawn */
+	unsigned int finishing, copying, copy_words;
+	bool error, check;
+};
+
+void CommandBench::take(Port &port, const std::vector<uint64_t> &value, const char *name)
+{
+	if (!check)
+		return;
+	TB_CHECK(!port.empty(), "%s: %" PRIx64 " came and nothing was expected", name, value[0]);
+	TB_CHECK(value.size() == port.front().size(), "%s: %zu words instead of %zu", name,
+		 value.size(), port.front().size());
+	for (size_t n = 0; n < value.size(); n++)
+		TB_CHECK(value[n] == port.front()[n], "%s: word %zu is %" PRIx64 " instead of %" PRIx64,
+			 name, n, value[n], port.front()[n]);
+	port.pop_front();
+}
+
+void CommandBench::start(const gloss_job &job)
+{
+	top.job_valid_i = top.stream_valid_i = top.render_ready_i = 0;
+	top.tile_begin_ready_i = top.tile_end_ready_i = 0;
+	top.copy_ready_i = top.copy_data_ready_i = top.response_ready_i = top.status_ready_i = 0;
+	top.tile_idle_i = top.copy_idle_i = 1;
+	top.memory_error_i = 0;
+	top.covered_i = COVERED;
+	top.passed_i = PASSED;
+	for (unsigned int n = 0; n < GLOSS_SLOTS; n++) {
+		top.slot_write_i = 1;
+		top.slot_index_i = n;
+		top.slot_base_i = job.slot[n].base;
+		top.slot_size_i = job.slot[n].size;
+		top.slot_rights_i = job.slot[n].rights;
+		clock();
+	}
+	top.slot_write_i = 0;
+	top.render_ready_i = 1;
+	top.job_valid_i = 1;
+	top.job_stream_words_i = job.stream_words;
+	top.job_response_words_i = job.response_words;
+	for (int n = 0; settle(), !top.job_ready_o; n++) {
+		TB_CHECK(n < 1000, "does not take the next job");
+		clock();
+	}
+	clock();
+	top.job_valid_i = 0;
+	open = drawing = finishing = copying = copy_words = 0;
+	beat = 0;
+	beats = (job.stream_words + ROW - 1) / ROW;
+	error = false;
+	record_clocks[2] = 0;
+}
+
+void CommandBench::drive(const gloss_job &job)
+{
+	if (!top.stream_valid_i && beat < beats && ready(STREAM_IN)) {
+		top.stream_valid_i = 1;
+		for (unsigned int n = 0; n < ROW; n++) {
+			uint32_t at = beat * ROW + n;
+
+			tb_set(top.stream_data_i, 32 * n, 32,
+			       at < job.stream_words ? job.stream[at] : random.bits());
+		}
+	}
+	top.render_ready_i = ready(RENDER);
+	top.tile_begin_ready_i = ready(BEGIN_OP);
+	top.tile_end_ready_i = ready(END_OP);
+	top.copy_ready_i = ready(COPY);
+	top.copy_data_ready_i = ready(COPY_DATA);
+	top.response_ready_i = ready(RESPONSE);
+	top.status_ready_i = ready(STATUS);
+	if (finishing && !stall[END_OP].now())
+		finishing--;
+	if (copying && !copy_words && !stall[COPY].now())
+		copying = 0;
+	top.tile_idle_i = !open && !finishing && !drawing;
+	top.copy_idle_i = !copying;
+	error |= spoil && random.below(100) == 0;
+	top.memory_error_i = error;
+}
+
+void CommandBench::sample_render()
+{
+	unsigned int kind = tb_get(top.render_op_o, 7, 3), part = tb_get(top.render_op_o, 5, 2);
+	uint64_t word = tb_get(top.render_data_o, 0, 32);
+
+	switch (kind) {
+	case HEADER:
+		return record.begin(word);
+	case PAYLOAD:
+		return record.add(part, tb_get(top.render_op_o, 0, 5), top.render_data_o);
+	case GO:
+		record_clocks[record_clocks[2]++ != 0] = clocks;
+		return take(left.render, record.words, "render");
+	case STATE:
+		if (part == STATE_RESET)
+			return take(left.render, { STATE, part }, "render");
+		return take(left.render, { STATE, part, word }, "render");
+	default:
+		drawing -= kind == END;
+		return take(left.render, { kind }, "render");
+	}
+}
+
+void CommandBench::sample_tile()
+{
+	if (top.tile_begin_valid_o && top.tile_begin_ready_i) {
+		uint64_t colour = tb_get(top.tile_begin_o, 97, 1);
+		uint64_t depth = tb_get(top.tile_begin_o, 96, 1);
+
+		TB_CHECK(!copying, "a tile begins beside a copy");
+		take(left.begin, { colour, depth, tb_get(top.tile_begin_o, 64, 32),
+			tb_get(top.tile_begin_o, 16, 32),
+			colour ? tb_get(top.tile_begin_o, 48, 16) : 0,
+			depth ? tb_get(top.tile_begin_o, 0, 16) : 0 }, "tile_begin");
+		open++;
+		drawing++;
+	}
+	if (top.tile_end_valid_o && top.tile_end_ready_i) {
+		uint64_t colour = tb_get(top.tile_end_o, 98, 2), depth = tb_get(top.tile_end_o, 96, 2);
+		bool dropped = !left.end.empty() && left.end.front().size() == 2;
+
+		if (dropped)
+			take(left.end, { colour, depth }, "tile_end");
+		else
+			take(left.end, { colour, depth,
+				colour == 1 ? tb_get(top.tile_end_o, 64, 32) : 0,
+				depth == 1 ? tb_get(top.tile_end_o, 16, 32) : 0,
+				colour == 1 ? tb_get(top.tile_end_o, 48, 16) : 0,
+				depth == 1 ? tb_get(top.tile_end_o, 0, 16) : 0 }, "tile_end");
+		open--;
+		finishing += 1 + random.below(20);
+	}
+}
+
+void CommandBench::sample_copy()
+{
+	if (top.copy_valid_o && top.copy_ready_i) {
+		TB_CHECK(top.tile_idle_i && top.copy_idle_i, "a copy starts beside a tile or a copy");
+		take(left.copy, { tb_get(top.copy_o, 48, 1), tb_get(top.copy_o, 16, 32),
+				  tb_get(top.copy_o, 0, 16) }, "copy");
+		copying = 1;
+		copy_words = tb_get(top.copy_o, 48, 1) ? tb_get(top.copy_o, 0, 16) : 0;
+	}
+	if (top.copy_data_valid_o && top.copy_data_ready_i) {
+		take(left.copy_data, { top.copy_data_o }, "copy_data");
+		TB_CHECK(copy_words, "data without a copy");
+		copy_words--;
+	}
+	if (top.response_valid_o && top.response_ready_i) {
+		TB_CHECK(top.tile_idle_i && top.copy_idle_i, "counters answer beside a tile or a copy");
+		for (unsigned int n = 0; n < top.response_count_o; n++)
+			take(left.response, { tb_get(top.response_data_o, 32 * n, 32) }, "response");
+	}
+}
+
+void CommandBench::clock()
+{
+	settle();
+	if (top.render_valid_o && top.render_ready_i)
+		sample_render();
+	sample_tile();
+	sample_copy();
+	if (top.stream_valid_i && top.stream_ready_o) {
+		beat++;
+		tick();
+		top.stream_valid_i = 0;
+	} else {
+		tick();
+	}
+}
+
+/* State set after the last tile may still be in the queue. */
+void CommandBench::settle_queue()
+{
+	top.status_ready_i = 0;
+	top.render_ready_i = 1;
+	for (int n = 0; n < 100; n++)
+		clock();
+	if (!check)
+		return;
+	for (const Port *port : { &left.render, &left.begin, &left.end, &left.copy, &left.copy_data,
+				  &left.response })
+		TB_CHECK(port->empty(), "something expected did not come");
+}
+
+gloss_status CommandBench::run(const gloss_job &job, const Expected &expected)
+{
+	gloss_status status = {};
+	uint64_t limit;
+
+	left = expected;
+	check = !spoil;
+	start(job);
+	limit = clocks + 20000 + 100ull * job.stream_words;
+	for (bool ended = false; !ended;) {
+		TB_CHECK(clocks < limit, "does not end");
+		drive(job);
+		settle();
+		ended = top.status_valid_o && top.status_ready_i;
+		status = { (gloss_fault)tb_get(top.status_o, 0, 4),
+			   (uint32_t)tb_get(top.status_o, 32, 32),
+			   (uint32_t)tb_get(top.status_o, 64, 32) };
+		clock();
+	}
+	settle_queue();
+	TB_CHECK(beat == beats, "%u of %u beats were taken", beat, beats);
+	TB_CHECK(!open && !drawing && !finishing && !copying, "ended before tile and memory had");
+	return status;
+}
+
+static void streams_match_model(CommandBench &bench, int count)
+{
+	unsigned int faults[8] = {};
+
+	for (int n = 0; n < count; n++) {
+		CommandStream stream(bench.random, TILE);
+		Expected expected;
+		Walker walker(stream.job, expected);
+		gloss_status status = bench.run(stream.job, expected);
+
+		TB_CHECK(status.cause == expected.status.cause &&
+			 status.offset == expected.status.offset &&
+			 status.response_words == expected.status.response_words,
+			 "stream %d of %u words: fault %u at %u, %u answered, not %u at %u, %u", n,
+			 stream.job.stream_words, status.cause, status.offset, status.response_words,
+			 expected.status.cause, expected.status.offset,
+			 expected.status.response_words);
+		faults[status.cause]++;
+	}
+	printf("tb_command: ended %u, faults", faults[0]);
+	for (int n = 1; n < 7; n++)
+		printf(" %u", faults[n]);
+	printf("\n");
+	for (int n = 0; n < 7; n++)
+		TB_CHECK(faults[n], "no stream had fault %d", n);
+}
+
+/* An error of board memory may be seen late, but the job ends, with a tile open or not. */
+static void memory_error_ends_job(CommandBench &bench)
+{
+	unsigned int seen = 0;
+
+	bench.spoil = true;
+	for (int n = 0; n < 500; n++) {
+		CommandStream stream(bench.random, TILE);
+		Expected expected;
+		Walker walker(stream.job, expected);
+		gloss_status status = bench.run(stream.job, expected);
+
+		seen += status.cause == GLOSS_FAULT_MEMORY;
+		TB_CHECK(status.cause == GLOSS_FAULT_MEMORY || status.cause == expected.status.cause,
+			 "fault %u instead of MEMORY or %u", status.cause, expected.status.cause);
+		TB_CHECK(status.offset <= stream.job.stream_words, "offset %u of %u", status.offset,
+			 stream.job.stream_words);
+	}
+	bench.spoil = false;
+	TB_CHECK(seen > 100, "MEMORY was seen %u times", seen);
+}
+
+/* A compact second-order record takes a clock a row, one for its header and one for RENDER_GO. */
+static void record_rate(CommandBench &bench)
+{
+	const unsigned int parts[] = { 6, 3, 18 };
+	unsigned int best = 2, count = 200;
+	std::vector<uint32_t> words = { GLOSS_OP_TILE_BEGIN << 24 | 2, 0, 0 };
+	gloss_triangle p = { GLOSS_GEOMETRY_COMPACT, GLOSS_SHADING_SECOND_ORDER, false, 0 };
+	gloss_job job = {};
+	Expected expected;
+
+	for (unsigned int part : parts)
+		best += (part + ROW - 1) / ROW;
+	for (unsigned int n = 0; n < count; n++) {
+		words.resize(words.size() + 28);
+		gloss_triangle_pack(&words[words.size() - 28], &p);
+	}
+	words.insert(words.end(), { GLOSS_OP_TILE_END << 24 | 2u, 0, 0 });
+	job.stream = words.data();
+	job.stream_words = words.size();
+	Walker walker(job, expected);
+	bench.stalls = false;
+	bench.run(job, expected);
+	bench.stalls = true;
+	double rate = (double)(bench.record_clocks[1] - bench.record_clocks[0]) / (count - 1);
+	printf("tb_command: %.2f clocks a compact second-order record\n", rate);
+	TB_CHECK(rate <= best, "%.2f clocks instead of %u", rate, best);
+}
+
+int main(int argc, char **argv)
+{
+	CommandBench bench(tb_seed());
+
+	streams_match_model(bench, argc > 1 ? atoi(argv[1]) : 4000);
+	memory_error_ends_job(bench);
+	record_rate(bench);
+	printf("tb_command: T=%d K=%d S=%d passed, %" PRIu64 " clocks\n", TILE, LANES, STREAM,
+	       bench.clocks);
+	return 0;
+}
