@@ -215,10 +215,9 @@ module raster_load #(
     .dy_o(alpha_dy_o)
   );
 
-  gloss_pkg::surface_t [2:0] surface;
+  logic [3*192-1:0] surfaces;
 
   for (genvar c = 0; c < 3; c++) begin : gen_colour
-    gloss_pkg::surface_t channel;
     raster_load_surface #(
       .StreamBits(StreamBits),
       .Channel(c)
@@ -228,13 +227,10 @@ module raster_load #(
       .row_i(op_i.row),
       .data_i(data_i),
       .shading_i(shading_q),
-      .surface_o(channel)
+      .surface_o(surfaces[192*c +: 192])
     );
-    assign surface[c] = channel;
   end
 
-  assign red_o = surface[0];
-  assign green_o = surface[1];
-  assign blue_o = surface[2];
+  assign {blue_o, green_o, red_o} = surfaces;
 
 endmodule

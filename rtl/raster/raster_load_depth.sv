@@ -19,9 +19,9 @@ module raster_load_depth #(
   localparam int unsigned Lanes = StreamBits / 32;
   localparam int unsigned Low = gloss_pkg::DepthCompactShift;
 
-  logic [2:0][39:0] plane; // z, dx, dy
-  logic [31:0]      high;
-  logic             take_high, unused_high;
+  logic [119:0] plane; // z, dx, dy
+  logic [31:0]  high;
+  logic         take_high, unused_high;
 
   assign high = data_i[32*(3%Lanes) +: 32];
   assign take_high = write_i && row_i == 5'(3/Lanes);
@@ -42,9 +42,9 @@ module raster_load_depth #(
       end
     end
 
-    assign plane[n] = value_q;
+    assign plane[40*(2-n) +: 40] = value_q;
   end
 
-  assign depth_o = {plane[0], plane[1], plane[2]};
+  assign depth_o = plane;
 
 endmodule

@@ -26,9 +26,9 @@ module raster_load_edges #(
 
   localparam int unsigned Lanes = StreamBits / 32;
 
-  gloss_pkg::edge_line_t [2:0] line;
+  logic [3*74-1:0]             lines;
   logic [1:0]                  take_rows; // the word with the rows, that with the switch
-  logic [31:0]                 rows_word [2];
+  logic [63:0]                 rows_word;
 
   // Left, right, middle: three words of a wide edge, two of a compact one. What else is in those words is at the same
   // bits in both forms: in the last word of a wide edge, in the second of a compact one.
@@ -46,48 +46,48 @@ module raster_load_edges #(
     assign take_rm = write_i && row_i == (compact_i ? 5'((2*e)/Lanes) : 5'((3*e+1)/Lanes));
     assign take_dy = write_i && row_i == (compact_i ? 5'((2*e)/Lanes) : 5'((3*e+2)/Lanes));
 
-    gloss_pkg::edge_line_t line_q;
-    logic                  unused;
+    // no struct here: yosys does not find the members of one inside a generate block
+    logic [12:0] x_q, step_q;
+    logic [15:0] r_q, m_q, dy_q;
+    logic        unused;
     assign unused = ^{wide_x, wide_dy, compact_rmd, compact_x};
 
     always_ff @(posedge clk_i) begin
       if (take_x) begin
-        line_q.x <= compact_i ? {{5{compact_x[7]}}, compact_x[7:0]} : wide_x[12:0];
-        line_q.step <= compact_i ? {{5{compact_x[15]}}, compact_x[15:8]} : wide_x[28:16];
+        x_q <= compact_i ? {{5{compact_x[7]}}, compact_x[7:0]} : wide_x[12:0];
+        step_q <= compact_i ? {{5{compact_x[15]}}, compact_x[15:8]} : wide_x[28:16];
       end
       if (take_rm) begin
-        line_q.r <= compact_i ? {6'd0, compact_rmd[9:0]} : wide_rm[15:0];
-        line_q.m <= compact_i ? {6'd0, compact_rmd[19:10]} : wide_rm[31:16];
+        r_q <= compact_i ? {6'd0, compact_rmd[9:0]} : wide_rm[15:0];
+        m_q <= compact_i ? {6'd0, compact_rmd[19:10]} : wide_rm[31:16];
       end
-      if (take_dy) line_q.dy <= compact_i ? {6'd0, compact_rmd[29:20]} : wide_dy[15:0];
+      if (take_dy) dy_q <= compact_i ? {6'd0, compact_rmd[29:20]} : wide_dy[15:0];
     end
 
-    assign line[e] = line_q;
+    assign lines[74*e +: 74] = {x_q, step_q, r_q, m_q, dy_q};
 
     if (e < 2) begin : gen_rows
-      assign rows_word[e] = compact_i ? compact_x : wide_dy;
+      assign rows_word[32*e +: 32] = compact_i ? compact_x : wide_dy;
       assign take_rows[e] = compact_i ? take_x : take_dy;
     end
   end
 
-  assign left_o = line[0];
-  assign right_o = line[1];
-  assign middle_o = line[2];
+  assign {middle_o, right_o, left_o} = lines;
 
   logic unused_rows;
-  assign unused_rows = ^{rows_word[0], rows_word[1]};
+  assign unused_rows = ^rows_word;
 
   always_ff @(posedge clk_i) begin
     if (clear_i) begin
       first_row_o <= '0;
       last_row_o <= RowBits'(TileSize - 1);
     end else if (take_rows[0]) begin
-      first_row_o <= rows_word[0][16 +: RowBits];
-      last_row_o <= rows_word[0][24 +: RowBits];
+      first_row_o <= rows_word[16 +: RowBits];
+      last_row_o <= rows_word[24 +: RowBits];
     end
     if (take_rows[1]) begin
-      switch_row_o <= rows_word[1][21:16];
-      side_o <= rows_word[1][24];
+      switch_row_o <= rows_word[53:48];
+      side_o <= rows_word[56];
     end
   end
 

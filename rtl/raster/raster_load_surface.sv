@@ -20,8 +20,8 @@ module raster_load_surface #(
   localparam int unsigned Lanes = StreamBits / 32;
   localparam int unsigned Fraction = gloss_pkg::ColourFraction;
 
-  logic             flat, second;
-  logic [5:0][31:0] field; // i, dx, dy, dxx, dxy, dyy
+  logic         flat, second;
+  logic [191:0] fields; // i, dx, dy, dxx, dxy, dyy
 
   assign flat = shading_i == gloss_pkg::SHADING_FLAT;
   assign second = shading_i == gloss_pkg::SHADING_SECOND_ORDER;
@@ -51,9 +51,9 @@ module raster_load_surface #(
       if (write_i && (here || row_i == '0)) field_q <= here ? word : '0;
     end
 
-    assign field[f] = field_q;
+    assign fields[32*(5-f) +: 32] = field_q;
   end
 
-  assign surface_o = {field[0], field[1], field[2], field[3], field[4], field[5]};
+  assign surface_o = fields;
 
 endmodule

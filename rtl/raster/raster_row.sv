@@ -165,9 +165,10 @@ module raster_row #(
   end
 
   // ---- beside shade's pipeline ----
-  // Element n is n + 1 clocks after the command.
+  // valid_q[n] is n + 1 clocks after the command, part n of place_q another clock.
+  localparam int unsigned PlaceBits = XBits + YBits + PixelsPerClock;
   logic [Latency-1:0]                        valid_q, end_q;
-  logic [XBits+YBits+PixelsPerClock-1:0]     place_q [Latency-1];
+  logic [(Latency-1)*PlaceBits-1:0]          place_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -180,24 +181,24 @@ module raster_row #(
   end
 
   always_ff @(posedge clk_i) begin
-    place_q[0] <= {run_x_q, run_y_q, run_mask};
-    for (int n = 1; n < Latency - 1; n++) place_q[n] <= place_q[n-1];
+    place_q <= {place_q[(Latency-2)*PlaceBits-1:0], run_x_q, run_y_q, run_mask};
   end
 
   // The state of a triangle stays for three clocks after its last block, so it is handed on every third clock only.
   localparam int unsigned Stations = (Latency - 1) / 3 + 1;
-  gloss_pkg::pixel_state_t station_q [Stations];
+  localparam int unsigned StateBits = 9;
+  logic [Stations*StateBits-1:0] station_q;
 
   always_ff @(posedge clk_i) begin
-    if (start || send_end) station_q[0] <= send_end ? state_i : state_q;
+    if (start || send_end) station_q[StateBits-1:0] <= send_end ? state_i : state_q;
     for (int n = 1; n < Stations; n++) begin
-      if (valid_q[3*n-1] || end_q[3*n-1]) station_q[n] <= station_q[n-1];
+      if (valid_q[3*n-1] || end_q[3*n-1]) station_q[StateBits*n +: StateBits] <= station_q[StateBits*(n-1) +: StateBits];
     end
   end
 
   assign block_valid_o = valid_q[Latency-1];
-  assign {block_x_o, block_y_o, block_mask_o} = place_q[Latency-2];
-  assign block_state_o = station_q[Stations-1];
+  assign {block_x_o, block_y_o, block_mask_o} = place_q[(Latency-2)*PlaceBits +: PlaceBits];
+  assign block_state_o = station_q[StateBits*(Stations-1) +: StateBits];
   assign end_o = end_q[Latency-1];
   assign end_bank_o = block_state_o.bank;
 

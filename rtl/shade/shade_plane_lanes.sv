@@ -14,14 +14,12 @@ module shade_plane_lanes #(
   output logic [LevelBits*PixelsPerClock-1:0] level_o
 );
 
-  localparam int unsigned Top = Fraction + LevelBits; // the lowest bit that means too large
-
-  logic [Width-1:0] pixel [PixelsPerClock];
+  logic [Width*PixelsPerClock-1:0] pixels;
 
   if (PixelsPerClock == 1) begin : gen_1
     logic unused;
     assign unused = ^dx_i;
-    assign pixel[0] = value_i;
+    assign pixels = value_i;
   end else begin : gen_many
     // Level s of the tree has 2^s pixels, K/2^s apart.
     localparam int unsigned Levels = $clog2(PixelsPerClock);
@@ -31,30 +29,32 @@ module shade_plane_lanes #(
       dx_q <= dx_i;
     end
     for (genvar s = 0; s <= Levels; s++) begin : gen_level
-      logic [Width-1:0] node [2**s];
+      logic [Width*2**s-1:0] nodes;
       if (s == 0) begin : gen_root
-        assign node[0] = first_q;
+        assign nodes = first_q;
       end else begin : gen_split
         for (genvar n = 0; n < 2**s / 2; n++) begin : gen_node
-          logic [Width-1:0] left_q, right_q;
+          logic [Width-1:0] parent, left_q, right_q;
+          assign parent = gen_level[s-1].nodes[Width*n +: Width];
           always_ff @(posedge clk_i) begin
-            left_q <= gen_level[s-1].node[n];
-            right_q <= gen_level[s-1].node[n] + (dx_q << (Levels - s));
+            left_q <= parent;
+            right_q <= parent + (dx_q << (Levels - s));
           end
-          assign node[2*n] = left_q;
-          assign node[2*n+1] = right_q;
+          assign nodes[2*Width*n +: 2*Width] = {right_q, left_q};
         end
       end
     end
-    for (genvar l = 0; l < PixelsPerClock; l++) begin : gen_pixel
-      assign pixel[l] = gen_level[Levels].node[l];
-    end
+    assign pixels = gen_level[Levels].nodes;
   end
 
   for (genvar l = 0; l < PixelsPerClock; l++) begin : gen_clamp
+    logic [Width-1-Fraction:0] whole;
+    logic                      unused;
+    assign whole = pixels[Width*l+Fraction +: Width-Fraction];
+    assign unused = ^pixels[Width*l +: Fraction];
     always_ff @(posedge clk_i) begin
-      level_o[LevelBits*l +: LevelBits] <= pixel[l][Width-1] ? '0 :
-                                           |pixel[l][Width-2:Top] ? '1 : pixel[l][Top-1:Fraction];
+      level_o[LevelBits*l +: LevelBits] <= whole[Width-1-Fraction] ? '0 :
+                                           |whole[Width-2-Fraction:LevelBits] ? '1 : whole[LevelBits-1:0];
     end
   end
 

@@ -16,12 +16,12 @@ module shade_surface_lanes #(
   output logic [8*PixelsPerClock-1:0] level_o
 );
 
-  logic [31:0] pixel [PixelsPerClock];
+  logic [32*PixelsPerClock-1:0] pixels;
 
   if (PixelsPerClock == 1) begin : gen_1
     logic unused;
     assign unused = ^{across_i, dxx_i};
-    assign pixel[0] = value_i;
+    assign pixels = value_i;
   end
 
   if (PixelsPerClock == 2) begin : gen_2
@@ -33,14 +33,13 @@ module shade_surface_lanes #(
       even_q <= first_q;
       odd_q <= first_q + step_q;
     end
-    assign pixel[0] = even_q;
-    assign pixel[1] = odd_q;
+    assign pixels = {odd_q, even_q};
   end
 
   if (PixelsPerClock == 4) begin : gen_4
     logic [31:0] first_q, near_q, step2_q, step0_q, step2_late_q, even0_q, even2_q;
     logic        unused_half_q;
-    logic [31:0] pixel_q [4];
+    logic [127:0] pixels_q;
     always_ff @(posedge clk_i) begin
       near_q <= across_i[31:0] - {dxx_i[30:0], 1'b0};
       {step2_q, unused_half_q} <= across_i + {1'b0, dxx_i};
@@ -51,23 +50,18 @@ module shade_surface_lanes #(
       step0_q <= step2_q - {dxx_i[30:0], 1'b0};
       step2_late_q <= step2_q;
 
-      pixel_q[0] <= even0_q;
-      pixel_q[1] <= even0_q + step0_q;
-      pixel_q[2] <= even2_q;
-      pixel_q[3] <= even2_q + step2_late_q;
+      pixels_q <= {even2_q + step2_late_q, even2_q, even0_q + step0_q, even0_q};
     end
-    for (genvar l = 0; l < 4; l++) begin : gen_pixel
-      assign pixel[l] = pixel_q[l];
-    end
+    assign pixels = pixels_q;
   end
 
   if (PixelsPerClock == 8) begin : gen_8
-    logic [31:0] first_q, far_q, near4_q, step4_q;
-    logic        unused_half_q;
-    logic [31:0] half0_q, half4_q, near0_late_q, near4_late_q;
-    logic [31:0] step_q [4];             // from pixel 0, 2, 4, 6 to the next
-    logic [31:0] even_q [4], step_late_q [4];
-    logic [31:0] pixel_q [8];
+    logic [31:0]  first_q, far_q, near4_q, step4_q;
+    logic         unused_half_q;
+    logic [31:0]  half0_q, half4_q, near0_late_q, near4_late_q;
+    logic [127:0] steps_q, steps_late_q; // from pixel 0, 2, 4, 6 to the next
+    logic [127:0] evens_q;
+    logic [255:0] pixels_q;
     always_ff @(posedge clk_i) begin
       first_q <= value_i;
       far_q <= {across_i[30:0], 1'b0} - {dxx_i[28:0], 3'b0};
@@ -78,31 +72,28 @@ module shade_surface_lanes #(
       half4_q <= first_q + far_q;
       near0_late_q <= near4_q - {dxx_i[28:0], 3'b0};
       near4_late_q <= near4_q;
-      step_q[0] <= step4_q - {dxx_i[29:0], 2'b0};
-      step_q[1] <= step4_q - {dxx_i[30:0], 1'b0};
-      step_q[2] <= step4_q;
-      step_q[3] <= step4_q + {dxx_i[30:0], 1'b0};
+      steps_q <= {step4_q + {dxx_i[30:0], 1'b0}, step4_q, step4_q - {dxx_i[30:0], 1'b0},
+                  step4_q - {dxx_i[29:0], 2'b0}};
 
-      even_q[0] <= half0_q;
-      even_q[1] <= half0_q + near0_late_q;
-      even_q[2] <= half4_q;
-      even_q[3] <= half4_q + near4_late_q;
-      for (int l = 0; l < 4; l++) step_late_q[l] <= step_q[l];
+      evens_q <= {half4_q + near4_late_q, half4_q, half0_q + near0_late_q, half0_q};
+      steps_late_q <= steps_q;
 
       for (int l = 0; l < 4; l++) begin
-        pixel_q[2*l] <= even_q[l];
-        pixel_q[2*l+1] <= even_q[l] + step_late_q[l];
+        pixels_q[64*l +: 32] <= evens_q[32*l +: 32];
+        pixels_q[64*l+32 +: 32] <= evens_q[32*l +: 32] + steps_late_q[32*l +: 32];
       end
     end
-    for (genvar l = 0; l < 8; l++) begin : gen_pixel
-      assign pixel[l] = pixel_q[l];
-    end
+    assign pixels = pixels_q;
   end
 
   // 10 bits of integer: negative to 0, above 255 to 255
   for (genvar l = 0; l < PixelsPerClock; l++) begin : gen_level
+    logic [9:0] whole;
+    logic       unused;
+    assign whole = pixels[32*l+22 +: 10];
+    assign unused = ^pixels[32*l +: 22];
     always_ff @(posedge clk_i) begin
-      level_o[8*l +: 8] <= pixel[l][31] ? 8'd0 : pixel[l][30] ? 8'd255 : pixel[l][29:22];
+      level_o[8*l +: 8] <= whole[9] ? 8'd0 : whole[8] ? 8'd255 : whole[7:0];
     end
   end
 
