@@ -129,7 +129,8 @@ static inline unsigned int gloss_header_length(uint32_t header)
  * step; if r >= dy then r -= dy, x += 1. A row's pixels are left.x <= x < right.x. Before row
  * switch_row (counted from the triangle's first row, 0 is never) the middle edge, as sent, takes
  * the place of the left (side 0) or right (side 1) one. dy is the edge's height in 1/16 pixel.
- * Registers wrap: x, step at 13 bits, r, m, dy at 16.
+ * Registers wrap: x, step at 13 bits, r, m, dy at 16, and a sum wraps before it is compared; so an
+ * edge is exact up to a dy of 2^15.
  */
 struct gloss_edges_wide {
 	int32_t left_x;
@@ -823,8 +824,8 @@ static inline int gloss_tile_begin_invalid(const uint32_t *words)
 #define GLOSS_TILE_END_WORDS 2
 
 /*
- * Closes the tile. Answered colour comes before answered depth in the response stream. Only inside
- * a tile.
+ * Closes the tile. Colour is stored or answered before depth: where the two overlap in memory,
+ * depth stays. Only inside a tile.
  */
 struct gloss_tile_end {
 	enum gloss_tile_output colour_output;
