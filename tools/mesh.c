@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mesh.h"
+
+int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh)
+{
+	mesh->vertices = vertices;
+	mesh->triangles = triangles;
+	mesh->position = calloc(vertices, sizeof(*mesh->position));
+	mesh->normal = calloc(vertices, sizeof(*mesh->normal));
+	mesh->triangle = calloc(triangles, sizeof(*mesh->triangle));
+	if (mesh->position && mesh->normal && mesh->triangle)
+		return 0;
+	mesh_free(mesh);
+	return -ENOMEM;
+}
+
+void mesh_free(struct mesh *mesh)
+{
+	free(mesh->position);
+	free(mesh->normal);
+	free(mesh->triangle);
+	memset(mesh, 0, sizeof(*mesh));
+}
+
+void mesh_bounds(const struct mesh *mesh, float centre[3], float *radius)
+{
+	double square = 0;
+
+	for (int i = 0; i < 3; i++) {
+		float low = INFINITY, high = -INFINITY;
+
+		for (uint32_t v = 0; v < mesh->vertices; v++) {
+			low = fminf(low, mesh->position[v][i]);
+			high = fmaxf(high, mesh->position[v][i]);
+		}
+		centre[i] = low / 2 + high / 2;
+	}
+	for (uint32_t v = 0; v < mesh->vertices; v++) {
+		double distance = 0;
+
+		for (int i = 0; i < 3; i++) {
+			double d = (double)mesh->position[v][i] - centre[i];
+
+			distance += d * d;
+		}
+		square = fmax(square, distance);
+	}
+	*radius = (float)sqrt(square);
+}
+
+struct accel_mesh mesh_lend(const struct mesh *mesh)
+{
+	return (struct accel_mesh){
+		.topology = ACCEL_TRIANGLES,
+		.vertices = mesh->vertices,
+		.position = (const float(*)[3])mesh->position,
+		.normal = (const float(*)[3])mesh->normal,
+		.indices = mesh->triangles * 3,
+		.index = mesh->triangle[0],
+	};
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+/* Meshes from files, through assimp's C interface. */
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "mesh.h"
+
+__attribute__((format(printf, 2, 3)))
+static void say(char message[MESH_MESSAGE], const char *format, ...)
+{
+	va_list arguments;
+
+	va_start(arguments, format);
+	vsnprintf(message, MESH_MESSAGE, format, arguments);
+	va_end(arguments);
+}
+
+/* assimp's words for why a file can not be read do not say that it is missing. */
+static int check_file(const char *path, char message[MESH_MESSAGE])
+{
+	struct stat status;
+	FILE *file = fopen(path, "rb");
+
+	if (!file) {
+		int error = errno;
+
+		say(message, "can not open mesh: %s: %s", path, strerror(error));
+		return -error;
+	}
+	if (!fstat(fileno(file), &status) && S_ISDIR(status.st_mode)) {
+		fclose(file);
+		say(message, "not a mesh: %s: this is a folder, give a file", path);
+		return -EISDIR;
+	}
+	fclose(file);
+	return 0;
+}
+
+static bool finite_vectors(const struct aiVector3D *vector, unsigned int count)
+{
+	for (unsigned int i = 0; vector && i < count; i++)
+		if (!isfinite(vector[i].x) || !isfinite(vector[i].y) || !isfinite(vector[i].z))
+			return false;
+	return true;
+}
+
+static int check_scene(const struct aiScene *scene, const char *path,
+			 char message[MESH_MESSAGE])
+{
+	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
+		const struct aiMesh *part = scene->mMeshes[i];
+
+		if (!finite_vectors(part->mVertices, part->mNumVertices) ||
+		    !finite_vectors(part->mNormals, part->mNumVertices)) {
+			say(message,
+			    "coordinates that are not numbers: %s: repair the file, it has NaN or infinity",
+			    path);
+			return -EINVAL;
+		}
+	}
+	return 0;
+}
+
+/* Steps that leave triangles with positions and normals in one coordinate system. */
+static const unsigned int steps = aiProcess_RemoveComponent | aiProcess_Triangulate |
+				  aiProcess_SortByPType | aiProcess_PreTransformVertices |
+				  aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
+
+static const struct aiScene *import(const char *path, bool smooth, unsigned int flags)
+{
+	struct aiPropertyStore *store = aiCreatePropertyStore();
+	int drop = aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+		   aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+		   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS;
+	const struct aiScene *scene;
+
+	if (!store)
+		return NULL;
+	aiSetImportPropertyInteger(store, AI_CONFIG_PP_RVC_FLAGS,
+				   smooth ? drop | aiComponent_NORMALS : drop);
+	aiSetImportPropertyInteger(store, AI_CONFIG_PP_SBP_REMOVE,
+				   aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+	scene = aiImportFileExWithProperties(path, flags, NULL, store);
+	aiReleasePropertyStore(store);
+	return scene;
+}
+
+static void count(const struct aiScene *scene, uint64_t *vertices, uint64_t *triangles)
+{
+	*vertices = *triangles = 0;
+	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
+		*vertices += scene->mMeshes[i]->mNumVertices;
+		*triangles += scene->mMeshes[i]->mNumFaces;
+	}
+}
+
+/* A vertex of nothing but degenerate triangles gets no normal that is a number. */
+static void set_normal(float out[3], const struct aiVector3D *normal)
+{
+	bool good = isfinite(normal->x) && isfinite(normal->y) && isfinite(normal->z);
+
+	out[0] = good ? normal->x : 0;
+	out[1] = good ? normal->y : 0;
+	out[2] = good ? normal->z : 1;
+}
+
+static void append(struct mesh *mesh, const struct aiMesh *part)
+{
+	for (unsigned int i = 0; i < part->mNumFaces; i++) {
+		for (int corner = 0; corner < 3; corner++)
+			mesh->triangle[mesh->triangles][corner] =
+				mesh->vertices + part->mFaces[i].mIndices[corner];
+		mesh->triangles++;
+	}
+	for (unsigned int i = 0; i < part->mNumVertices; i++, mesh->vertices++) {
+		mesh->position[mesh->vertices][0] = part->mVertices[i].x;
+		mesh->position[mesh->vertices][1] = part->mVertices[i].y;
+		mesh->position[mesh->vertices][2] = part->mVertices[i].z;
+		set_normal(mesh->normal[mesh->vertices], &part->mNormals[i]);
+	}
+}
+
+static int convert(const struct aiScene *scene, const char *path, struct mesh *mesh,
+		   char message[MESH_MESSAGE])
+{
+	uint64_t vertices, triangles;
+
+	count(scene, &vertices, &triangles);
+	if (!triangles) {
+		say(message, "no triangles: %s: give a mesh with faces", path);
+		return -EINVAL;
+	}
+	if (vertices > UINT32_MAX || triangles > UINT32_MAX / 3) {
+		say(message, "mesh too large: %s: at most %u triangles", path, UINT32_MAX / 3);
+		return -E2BIG;
+	}
+	if (mesh_new((uint32_t)vertices, (uint32_t)triangles, mesh)) {
+		say(message, "out of memory: %s: give a smaller mesh", path);
+		return -ENOMEM;
+	}
+	mesh->vertices = mesh->triangles = 0;
+	for (unsigned int i = 0; i < scene->mNumMeshes; i++)
+		append(mesh, scene->mMeshes[i]);
+	return 0;
+}
+
+/*
+ * The file is read twice: first as it is, for what assimp's steps do with NaN is not its to
+ * promise, and to take the steps later, aiApplyPostProcessing, is not safe: where a step fails it
+ * frees the scene twice (5.2.5).
+ */
+static int load_file(const char *path, bool smooth, struct mesh *mesh, char message[MESH_MESSAGE])
+{
+	const struct aiScene *scene;
+	int ret;
+
+	ret = check_file(path, message);
+	if (ret)
+		return ret;
+	scene = import(path, smooth, 0);
+	if (!scene) {
+		say(message, "not a mesh: %s: give an OBJ, PLY, 3DS, glTF or STL file", path);
+		return -EINVAL;
+	}
+	ret = check_scene(scene, path, message);
+	aiReleaseImport(scene);
+	if (ret)
+		return ret;
+	scene = import(path, smooth, steps);
+	if (!scene) {
+		say(message, "no triangles: %s: give a mesh with faces", path);
+		return -EINVAL;
+	}
+	ret = convert(scene, path, mesh, message);
+	aiReleaseImport(scene);
+	return ret;
+}
+
+int mesh_load(const char *name, bool smooth, struct mesh *mesh, char message[MESH_MESSAGE])
+{
+	int ret = mesh_shape(name, mesh);
+
+	if (ret == -ENOENT)
+		return load_file(name, smooth, mesh, message);
+	if (ret == -EINVAL)
+		say(message, "no such shape: %s: there are " MESH_SHAPES, name);
+	else if (ret)
+		say(message, "out of memory: %s: give a smaller shape", name);
+	return ret;
+}
