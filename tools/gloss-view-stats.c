@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "gloss-view.h"
+
+/* Pixels the mesh is seen in; 0 if they can not be counted. */
+static uint64_t visible_pixels(const struct view *view)
+{
+	size_t pixels = (size_t)view->scene.width * view->scene.height;
+	uint32_t *depth = malloc(pixels * sizeof(*depth));
+	uint64_t visible = 0;
+
+	if (depth && !accel_target_read_depth(view->target, depth,
+					      view->scene.width * sizeof(*depth)))
+		for (size_t i = 0; i < pixels; i++)
+			visible += (depth[i] & 0xffffff) != 0xffffff;
+	free(depth);
+	return visible;
+}
+
+void view_stats_print(const struct view *view)
+{
+	const struct accel_draw_stats *stats = &view->stats;
+	struct accel_device_info info;
+	uint64_t visible = visible_pixels(view);
+
+	accel_device_info(view->device, &info);
+	printf("device     %s, %" PRIu32 "x%" PRIu32 " tiles, %" PRIu32 " pixels a clock\n",
+	       info.name, info.tile_size, info.tile_size, info.pixels_per_clock);
+	printf("picture    %dx%d, %" PRIu64 " pixels of the mesh, %s shading\n", view->scene.width,
+	       view->scene.height, visible, view_shading_name(view->options->shading));
+	printf("triangles  %" PRIu64 ": %" PRIu64 " culled, %" PRIu64 " clipped, %" PRIu64 " split\n",
+	       stats->triangles_in, stats->culled, stats->clipped, stats->split);
+	printf("drawn      %" PRIu64 " flat, %" PRIu64 " linear, %" PRIu64 " second order\n",
+	       stats->flat, stats->linear, stats->second_order);
+	printf("stream     %" PRIu64 " bytes, %" PRIu64 " triangle records in %" PRIu64 " tiles\n",
+	       stats->stream_words * 4, stats->records, stats->tiles);
+	if (view->clocks)
+		printf("clocks     %" PRIu64 ", %.3f pixels of the mesh a clock\n", view->clocks,
+		       (double)visible / (double)view->clocks);
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * gloss-view: draws meshes. Options say what; a view is the mesh, the device
+ * and the scene they make; draw, compare, turntable and window are what can be
+ * done with it.
+ */
+#ifndef TOOLS_GLOSS_VIEW_H
+#define TOOLS_GLOSS_VIEW_H
+
+#include "mesh.h"
+#include "phong.h"
+#include "picture.h"
+#include "scene.h"
+
+enum { VIEW_OK, VIEW_FAILED, VIEW_USAGE };	/* exit status */
+
+struct view_options {
+	const char *mesh, *device;
+	int width, height;
+	enum accel_shading shading;
+	struct accel_material material;
+	struct accel_light light[ACCEL_LIGHTS];	/* positions from the middle of the mesh */
+	int lights;
+	bool smooth, two_sided;
+	float rotate[3];		/* degrees about x, y and z */
+	float camera[2];		/* degrees to the right and up */
+	float zoom, fov;		/* fov 0: no perspective */
+	float background[4];
+	const char *out, *compare;
+	int turntable;			/* frames, 0: one picture */
+	bool stats, window;
+	bool done;			/* --help or --version was answered */
+};
+
+struct view {
+	const struct view_options *options;
+	struct mesh mesh;
+	float centre[3], radius;	/* of the sphere that holds the mesh */
+	struct scene scene;
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_draw *draw;
+	struct accel_draw_stats stats;	/* of the last frame */
+	uint64_t clocks;		/* of the last frame, 0: not known */
+};
+
+/* Prints "gloss-view: what: where: hint". */
+void view_error(const char *what, const char *where, const char *hint);
+
+/* gloss-view-options.c: VIEW_OK or VIEW_USAGE, after a message. */
+int view_options_parse(struct view_options *options, int argc, char **argv);
+
+/* gloss-view-material.c */
+const struct accel_material *view_material_find(const char *name);
+/* All names in one line. */
+const char *view_material_names(void);
+
+/* gloss-view-light.c: KIND:X,Y,Z[:SETTING=VALUE]... */
+bool view_light_parse(const char *text, struct accel_light *light);
+
+/* gloss-view-number.c: false for anything but the number, finite and in range. */
+bool view_number(const char *text, float low, float high, float *value);
+/* Exactly @count numbers with commas between. */
+bool view_numbers(const char *text, int count, float low, float high, float *value);
+/* "#rrggbb", "R,G,B" or "GREY", 0 to 1; sets alpha to 1. */
+bool view_colour(const char *text, float rgba[4]);
+
+/* gloss-view-camera.c: sets the scene's matrices and lights; @turn degrees more about y. */
+void view_camera_set(struct view *view, float turn);
+
+/* gloss-view-draw.c: 0, or VIEW_FAILED after a message. */
+int view_open(struct view *view, const struct view_options *options);
+void view_close(struct view *view);
+/* Draws the scene with @shading into @picture, which has the scene's size. */
+int view_draw(struct view *view, enum accel_shading shading, struct picture *picture);
+int view_write(const struct picture *picture, const char *path);
+const char *view_shading_name(enum accel_shading shading);
+
+/* gloss-view-stats.c */
+void view_stats_print(const struct view *view);
+
+/* gloss-view-compare.c, -turntable.c, -window.c: VIEW_OK, or VIEW_FAILED after a message. */
+int view_compare(struct view *view, const char *path);
+int view_turntable(struct view *view);
+int view_window(struct view *view);
+
+/* gloss-view-progress.c: a line on stderr, if that is a terminal. */
+struct progress {
+	bool shown;
+	int total;
+	double start, last;		/* seconds */
+};
+
+void progress_begin(struct progress *progress, int total);
+void progress_show(struct progress *progress, int done);
+void progress_end(struct progress *progress);
+
+#endif
