@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+/*
+ * Records by tile. A tile has its words in a chain of chunks, in the order of drawing; chunks come
+ * from blocks that are kept from frame to frame.
+ */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "draw_priv.h"
+
+#define BLOCK_CHUNKS 64
+
+struct accel_block {
+	struct accel_block *next;
+	struct accel_chunk chunk[BLOCK_CHUNKS];
+};
+
+void accel_bin_init(struct accel_bin *bin, int tile_size)
+{
+	*bin = (struct accel_bin){ .tile_size = tile_size };
+}
+
+void accel_bin_free(struct accel_bin *bin)
+{
+	while (bin->block) {
+		struct accel_block *next = bin->block->next;
+
+		free(bin->block);
+		bin->block = next;
+	}
+	free(bin->tile);
+}
+
+static void forget_records(struct accel_bin *bin)
+{
+	for (int i = 0; i < bin->columns * bin->rows; i++)
+		bin->tile[i] = (struct accel_tile){ .drawn = false };
+	bin->block_now = bin->block;
+	bin->block_used = 0;
+}
+
+void accel_bin_reset(struct accel_bin *bin)
+{
+	forget_records(bin);
+	bin->clear.mask = 0;
+	bin->width = bin->height = 0;
+	bin->columns = bin->rows = 0;
+	bin->records = 0;
+}
+
+int accel_bin_begin(struct accel_bin *bin, int width, int height)
+{
+	int columns = (width + bin->tile_size - 1) / bin->tile_size;
+	int rows = (height + bin->tile_size - 1) / bin->tile_size;
+	struct accel_tile *tile = bin->tile;
+
+	if (columns * rows > bin->tiles_room) {
+		tile = realloc(tile, (size_t)(columns * rows) * sizeof(*tile));
+		if (!tile)
+			return -ENOMEM;
+		bin->tile = tile;
+		bin->tiles_room = columns * rows;
+	}
+	bin->width = width;
+	bin->height = height;
+	bin->columns = columns;
+	bin->rows = rows;
+	forget_records(bin);
+	return 0;
+}
+
+static struct accel_chunk *chunk_new(struct accel_bin *bin)
+{
+	struct accel_block **next = &bin->block;
+
+	if (bin->block_now) {
+		if (bin->block_used < BLOCK_CHUNKS)
+			return &bin->block_now->chunk[bin->block_used++];
+		next = &bin->block_now->next;
+	}
+	if (!*next) {
+		*next = malloc(sizeof(**next));
+		if (!*next)
+			return NULL;
+		(*next)->next = NULL;
+	}
+	bin->block_now = *next;
+	bin->block_used = 1;
+	return &bin->block_now->chunk[0];
+}
+
+static int tile_grow(struct accel_bin *bin, struct accel_tile *tile)
+{
+	struct accel_chunk *chunk = chunk_new(bin);
+
+	if (!chunk)
+		return -ENOMEM;
+	chunk->next = NULL;
+	if (tile->last)
+		tile->last->next = chunk;
+	else
+		tile->chunk = chunk;
+	tile->last = chunk;
+	tile->used = 0;
+	return 0;
+}
+
+static int tile_put(struct accel_bin *bin, struct accel_tile *tile, const uint32_t *words,
+		    uint32_t count)
+{
+	tile->words += count;
+	while (count) {
+		uint32_t room = tile->last ? ACCEL_CHUNK_WORDS - tile->used : 0;
+		uint32_t part = count < room ? count : room;
+
+		if (!room) {
+			if (tile_grow(bin, tile))
+				return -ENOMEM;
+			continue;
+		}
+		memcpy(tile->last->words + tile->used, words, part * sizeof(*words));
+		tile->used += part;
+		words += part;
+		count -= part;
+	}
+	return 0;
+}
+
+uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now,
+			   const struct accel_tile_state *state)
+{
+	uint32_t count = 0;
+
+	if (state->depth_state != now->depth_state)
+		words[count++] = state->depth_state;
+	if (state->colour_mask != now->colour_mask)
+		words[count++] = state->colour_mask;
+	if (state->scissor != now->scissor) {
+		words[count++] = (uint32_t)GLOSS_OP_SCISSOR << 24 | GLOSS_SCISSOR_WORDS;
+		words[count++] = state->scissor;
+	}
+	return count;
+}
+
+/* Puts the packets that make @state of what the tile has now. */
+static int tile_state(struct accel_bin *bin, struct accel_tile *tile,
+		      const struct accel_tile_state *state)
+{
+	uint32_t words[4], count = 0;
+
+	if (!tile->drawn) {
+		tile->drawn = true;
+		tile->clear = bin->clear;
+		tile->first = *state;
+	} else {
+		count = accel_bin_packets(words, &tile->now, state);
+	}
+	tile->now = *state;
+	return count ? tile_put(bin, tile, words, count) : 0;
+}
+
+/* Which of a state's results a tile must keep, and what it must have from before. */
+static void tile_uses(struct accel_tile *tile, const struct accel_tile_state *state)
+{
+	struct gloss_depth_state depth;
+
+	gloss_depth_state_unpack(&state->depth_state, &depth);
+	tile->uses_depth |= depth.func != GLOSS_COMPARE_ALWAYS || depth.write;
+	tile->writes_depth |= depth.write;
+	tile->uses_colour |= state->colour_mask != (uint32_t)GLOSS_OP_COLOUR_MASK << 24;
+}
+
+static int clamp(int value, int low, int high)
+{
+	return value < low ? low : value > high ? high : value;
+}
+
+uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)
+{
+	uint32_t words[1 + GLOSS_SCISSOR_WORDS];
+
+	gloss_scissor_pack(words, &(struct gloss_scissor){ (uint32_t)x0, (uint32_t)y0,
+							   (uint32_t)x1, (uint32_t)y1 });
+	return words[1];
+}
+
+/* Where the target ends inside of a tile there is memory too, so that needs no scissor. */
+static uint32_t tile_scissor(const struct accel_bin *bin, int x, int y)
+{
+	const struct accel_rectangle *visible = &bin->visible;
+	int size = bin->tile_size;
+
+	return accel_bin_scissor(clamp(visible->x0 - x, 0, size), clamp(visible->y0 - y, 0, size),
+			    visible->x1 == bin->width ? size : clamp(visible->x1 - x, 0, size),
+			    visible->y1 == bin->height ? size : clamp(visible->y1 - y, 0, size));
+}
+
+void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
+		     const struct accel_rectangle *visible)
+{
+	gloss_depth_state_pack(&bin->state.depth_state, &(struct gloss_depth_state){
+		.func = (enum gloss_compare)state->depth_func,
+		.write = state->depth_write,
+	});
+	gloss_colour_mask_pack(&bin->state.colour_mask, &(struct gloss_colour_mask){
+		.red = state->colour_mask[0],
+		.green = state->colour_mask[1],
+		.blue = state->colour_mask[2],
+		.alpha = state->colour_mask[3],
+	});
+	bin->visible = *visible;
+}
+
+/* Puts a record and, before it, the state it needs. */
+static int tile_record(struct accel_bin *bin, struct accel_tile *tile,
+		       const struct accel_tile_state *state, const uint32_t *words, uint32_t count)
+{
+	int err = tile_state(bin, tile, state);
+
+	if (err)
+		return err;
+	tile_uses(tile, state);
+	bin->records++;
+	return tile_put(bin, tile, words, count);
+}
+
+/* Clears a tile that was drawn on already, by drawing. */
+static int tile_clear(struct accel_bin *bin, struct accel_tile *tile,
+		      const struct accel_clear *clear)
+{
+	bool colour = clear->mask & ACCEL_CLEAR_COLOUR, depth = clear->mask & ACCEL_CLEAR_DEPTH;
+	uint32_t words[ACCEL_RECORD_WORDS], count;
+	struct accel_tile_state state;
+
+	gloss_depth_state_pack(&state.depth_state, &(struct gloss_depth_state){
+		.func = GLOSS_COMPARE_ALWAYS,
+		.write = depth,
+	});
+	gloss_colour_mask_pack(&state.colour_mask,
+			       &(struct gloss_colour_mask){ colour, colour, colour, colour });
+	state.scissor = accel_bin_scissor(0, 0, bin->tile_size, bin->tile_size);
+	count = accel_record_fill(words, clear->colour, clear->depth);
+	return tile_record(bin, tile, &state, words, count);
+}
+
+int accel_bin_clear(struct accel_bin *bin, const struct accel_clear *clear)
+{
+	if (clear->mask == (ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH)) {
+		forget_records(bin);
+		bin->clear = *clear;
+		return 0;
+	}
+	for (int i = 0; i < bin->columns * bin->rows; i++) {
+		int err = bin->tile[i].drawn ? tile_clear(bin, &bin->tile[i], clear) : 0;
+
+		if (err)
+			return err;
+	}
+	bin->clear.mask |= clear->mask;
+	if (clear->mask & ACCEL_CLEAR_COLOUR)
+		bin->clear.colour = clear->colour;
+	if (clear->mask & ACCEL_CLEAR_DEPTH)
+		bin->clear.depth = clear->depth;
+	return 0;
+}
+
+/* The rows of a triangle that lie in one row of tiles. */
+struct band {
+	int first, end;
+	struct accel_row row[ACCEL_BAND_ROWS];
+};
+
+/* Are there pixels of @row between @x0 and @x1? */
+static bool row_meets(const struct accel_row *row, int x0, int x1)
+{
+	return (row->left > x0 ? row->left : x0) < (row->right < x1 ? row->right : x1);
+}
+
+static bool band_covers(const struct band *band, int x0, int x1, int size)
+{
+	if (band->end - band->first != size)
+		return false;
+	for (int i = 0; i < size; i++)
+		if (band->row[i].left > x0 || band->row[i].right < x1)
+			return false;
+	return true;
+}
+
+/* Draws the part of the band that lies in the tile; rows of it that have no pixel are left off. */
+static int band_tile(struct accel_bin *bin, const struct accel_triangle *triangle,
+		     const struct band *band, int x, int y)
+{
+	struct accel_tile *tile =
+		&bin->tile[y / bin->tile_size * bin->columns + x / bin->tile_size];
+	int x0 = bin->visible.x0 > x ? bin->visible.x0 : x;
+	int x1 = bin->visible.x1 < x + bin->tile_size ? bin->visible.x1 : x + bin->tile_size;
+	struct accel_place place = { x, y, bin->tile_size, band->first, band->end, false, NULL };
+	struct accel_tile_state state = bin->state;
+	uint32_t words[ACCEL_RECORD_WORDS];
+
+	while (place.first < place.end &&
+	       !row_meets(&band->row[place.first - band->first], x0, x1))
+		place.first++;
+	while (place.first < place.end &&
+	       !row_meets(&band->row[place.end - 1 - band->first], x0, x1))
+		place.end--;
+	if (place.first == place.end)
+		return 0;
+	place.row = &band->row[place.first - band->first];
+	place.covering = band_covers(band, x, x + bin->tile_size, bin->tile_size);
+	state.scissor = tile_scissor(bin, x, y);
+	return tile_record(bin, tile, &state, words, accel_record_pack(words, triangle, &place));
+}
+
+static int band_draw(struct accel_bin *bin, const struct accel_triangle *triangle,
+		     const struct band *band)
+{
+	int left = bin->visible.x1, right = bin->visible.x0, size = bin->tile_size;
+	int err = 0;
+
+	for (int i = 0; i < band->end - band->first; i++) {
+		const struct accel_row *row = &band->row[i];
+
+		if (row->left >= row->right)
+			continue;
+		left = row->left < left ? row->left : left;
+		right = row->right > right ? row->right : right;
+	}
+	left = left > bin->visible.x0 ? left : bin->visible.x0;
+	right = right < bin->visible.x1 ? right : bin->visible.x1;
+	for (int x = left / size * size; x < right && !err; x += size)
+		err = band_tile(bin, triangle, band, x, band->first / size * size);
+	return err;
+}
+
+int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle)
+{
+	const struct accel_setup *setup = &triangle->setup;
+	int end = setup->end < bin->visible.y1 ? setup->end : bin->visible.y1;
+	struct band band;
+	int err = 0;
+
+	band.first = setup->first > bin->visible.y0 ? setup->first : bin->visible.y0;
+	for (; band.first < end && !err; band.first = band.end) {
+		band.end = (band.first / bin->tile_size + 1) * bin->tile_size;
+		band.end = band.end < end ? band.end : end;
+		accel_setup_rows(setup, band.first, band.end, band.row);
+		err = band_draw(bin, triangle, &band);
+	}
+	return err;
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+/* The draw calls of accel.h: what they take, and when a frame begins and ends. */
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "draw_priv.h"
+
+#define DEPTH_MAX 16777215.0
+
+struct accel_draw {
+	struct accel_device *device;
+	struct accel_stream *stream;
+	struct accel_bin bin;
+	struct accel_target target;	/* of this frame, its buffers a reference each */
+	bool has_target;
+	bool submitted;			/* the counts are those of the frame before */
+	struct accel_draw_stats stats;
+	struct accel_vertex *vertex;	/* scratch, kept from mesh to mesh */
+	uint32_t vertices;
+	struct accel_edge_entry *cache;
+	uint64_t passes;
+};
+
+int accel_draw_new(struct accel_device *device, struct accel_draw **out)
+{
+	struct accel_draw *draw = calloc(1, sizeof(*draw));
+	int err;
+
+	if (!draw)
+		return -ENOMEM;
+	draw->cache = calloc(ACCEL_EDGE_CACHE, sizeof(*draw->cache));
+	if (!draw->cache) {
+		err = -ENOMEM;
+		goto err_free;
+	}
+	err = accel_stream_new(device, &draw->stream);
+	if (err)
+		goto err_free_cache;
+	draw->device = accel_device_ref(device);
+	accel_bin_init(&draw->bin, (int)device->info.tile_size);
+	*out = draw;
+	return 0;
+
+err_free_cache:
+	free(draw->cache);
+err_free:
+	free(draw);
+	return err;
+}
+
+/* Forgets the frame. */
+static void frame_empty(struct accel_draw *draw)
+{
+	accel_bin_reset(&draw->bin);
+	if (draw->has_target) {
+		accel_buffer_unref(draw->target.colour);
+		accel_buffer_unref(draw->target.depth);
+	}
+	draw->has_target = false;
+}
+
+void accel_draw_free(struct accel_draw *draw)
+{
+	if (!draw)
+		return;
+	frame_empty(draw);
+	accel_bin_free(&draw->bin);
+	accel_stream_free(draw->stream);
+	accel_device_unref(draw->device);
+	free(draw->vertex);
+	free(draw->cache);
+	free(draw);
+}
+
+/* Before the first call of a frame does anything. */
+static void frame_begin(struct accel_draw *draw)
+{
+	if (draw->submitted)
+		draw->stats = (struct accel_draw_stats){ 0 };
+	draw->submitted = false;
+}
+
+static uint32_t colour_word(const float rgba[4])
+{
+	uint32_t word = 0;
+
+	for (int i = 0; i < 4; i++) {
+		float value = rgba[i] < 0 ? 0 : rgba[i] > 1 ? 1 : rgba[i];
+
+		word |= (uint32_t)(value * 255 + 0.5f) << 8 * i;
+	}
+	return word;
+}
+
+int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4], float depth)
+{
+	struct accel_clear clear = { .mask = mask };
+	int err;
+
+	if (!mask || mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH))
+		return -EINVAL;
+	if (mask & ACCEL_CLEAR_COLOUR) {
+		for (int i = 0; i < 4; i++)
+			if (!isfinite(rgba[i]))
+				return -EINVAL;
+		clear.colour = colour_word(rgba);
+	}
+	if (mask & ACCEL_CLEAR_DEPTH) {
+		if (!(depth >= 0 && depth <= 1))
+			return -EINVAL;
+		clear.depth = (uint32_t)((double)depth * DEPTH_MAX + 0.5);
+	}
+	frame_begin(draw);
+	err = accel_bin_clear(&draw->bin, &clear);
+	if (err)
+		frame_empty(draw);
+	return err;
+}
+
+static int set_target(struct accel_draw *draw, const struct accel_target *target)
+{
+	int err;
+
+	if (draw->has_target)
+		return target->colour == draw->target.colour ? 0 : -EINVAL;
+	if (target->device != draw->device)
+		return -EINVAL;
+	err = accel_bin_begin(&draw->bin, target->width, target->height);
+	if (err)
+		return err;
+	draw->target = *target;
+	accel_buffer_ref(target->colour);
+	accel_buffer_ref(target->depth);
+	draw->has_target = true;
+	return 0;
+}
+
+static int reserve_vertices(struct accel_draw *draw, uint32_t count)
+{
+	struct accel_vertex *vertex;
+
+	if (count <= draw->vertices)
+		return 0;
+	vertex = realloc(draw->vertex, count * sizeof(*vertex));
+	if (!vertex)
+		return -ENOMEM;
+	draw->vertex = vertex;
+	draw->vertices = count;
+	return 0;
+}
+
+int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
+		    const struct accel_state *state, const struct accel_mesh *mesh)
+{
+	struct accel_pass pass = {
+		.state = state,
+		.mesh = mesh,
+		.lit = state->lighting,
+		.bin = &draw->bin,
+		.stats = &draw->stats,
+	};
+	int err = accel_mesh_check(mesh);
+
+	if (!err)
+		err = reserve_vertices(draw, mesh->vertices);
+	if (err)
+		return err;
+	pass.vertex = draw->vertex;
+	pass.cache = draw->cache;
+	pass.number = ++draw->passes;
+	accel_geometry_init(&pass.transform, state, target->width, target->height);
+	accel_lighting_init(&pass.lighting, state);
+	err = accel_mesh_transform(&pass);
+	if (!err)
+		err = set_target(draw, target);
+	if (err)
+		return err;
+	frame_begin(draw);
+	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
+	err = accel_mesh_draw(&pass);
+	if (err)
+		frame_empty(draw);
+	return err;
+}
+
+void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats)
+{
+	*stats = draw->stats;
+}
+
+int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
+{
+	struct accel_fence *fence;
+	bool sent;
+	int err;
+
+	frame_begin(draw);
+	draw->stats.records = draw->bin.records;
+	err = accel_frame_submit(&draw->bin, draw->stream, &draw->target, ACCEL_JOB_WORDS,
+				 &draw->stats, &fence, &sent);
+	if (err && !sent)
+		return err;
+	frame_empty(draw);
+	draw->submitted = true;
+	if (err)
+		return err;
+	if (out) {
+		*out = fence;
+		return 0;
+	}
+	err = accel_fence_wait(fence, -1, NULL);
+	accel_fence_free(fence);
+	return err;
+}

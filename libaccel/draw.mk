@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: MIT
+# From meshes to command streams. In the order a triangle passes through them.
+
+DRAW_SOURCES := $(addprefix libaccel/, draw.c mesh.c geometry.c clip.c lighting.c shading.c split.c \
+	surface.c setup.c record.c bin.c frame.c)

@@ -1,0 +1,423 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The stages a triangle passes in the library, from a mesh to the frame's command stream:
+ *
+ *   draw.c       the calls of accel.h
+ *   mesh.c       the triangles of a mesh, culling
+ *   geometry.c   vertices to the window, each once
+ *   clip.c       triangles that leave the view volume or the guard band
+ *   lighting.c   colour at a point of a surface
+ *   shading.c    what an edge needs: a straight line, a second-order curve, a split
+ *   split.c      what a triangle needs; splitting it at edge midpoints
+ *   surface.c    colours and depth to fixed point
+ *   setup.c      edges in remainder form: which pixels of which rows
+ *   record.c     one TRIANGLE packet
+ *   bin.c        records by tile
+ *   frame.c      the frame's command stream
+ *
+ * Neighbours must agree on what they share. What belongs to an edge is therefore worked out from
+ * its two vertices alone, with formulas that are symmetric in them bit for bit: sums and products
+ * of two commute in floating point, and the build allows no fused operations.
+ */
+#ifndef ACCEL_DRAW_PRIV_H
+#define ACCEL_DRAW_PRIV_H
+
+#include "accel_priv.h"
+
+/*
+ * Window coordinates have 10 fraction bits. Vertices of a mesh are snapped to 1/16 pixel, which
+ * leaves the midpoints of ACCEL_SPLIT_LEVELS splits a place of their own: a split vertex is on its
+ * edge exactly, so an edge that one neighbour splits and the other does not is still one line.
+ */
+#define ACCEL_WINDOW_BITS 10
+#define ACCEL_WINDOW_ONE (1 << ACCEL_WINDOW_BITS)
+#define ACCEL_WINDOW_HALF (ACCEL_WINDOW_ONE / 2)
+#define ACCEL_SNAP_BITS 4
+#define ACCEL_SPLIT_LEVELS (ACCEL_WINDOW_BITS - ACCEL_SNAP_BITS)
+
+/* Registers r and m of an edge have 16 bits, and their sum must not wrap. */
+#define ACCEL_EDGE_HEIGHT_MAX 32768
+
+/* Samples end here, so that no second-order surface through them leaves s10.22. */
+#define ACCEL_COLOUR_MAX 1.99f
+
+struct accel_rectangle {
+	int x0, y0, x1, y1;		/* pixels; x1 and y1 are outside */
+};
+
+/* ---- vertices ---- */
+
+/* Bits of accel_vertex.outside: on the wrong side of a plane. */
+enum accel_outside {
+	/* To be clipped off; bit i is plane i of accel_geometry_distance. */
+	ACCEL_OUTSIDE_EYE = 1 << 0,	/* w is not positive */
+	ACCEL_OUTSIDE_NEAR = 1 << 1,
+	ACCEL_OUTSIDE_FAR = 1 << 2,
+	ACCEL_OUTSIDE_GUARD_LEFT = 1 << 3,	/* farther than coordinates reach */
+	ACCEL_OUTSIDE_GUARD_RIGHT = 1 << 4,
+	ACCEL_OUTSIDE_GUARD_TOP = 1 << 5,
+	ACCEL_OUTSIDE_GUARD_BOTTOM = 1 << 6,
+	/* Only to see that a triangle is not visible; the scissor does the rest. */
+	ACCEL_OUTSIDE_LEFT = 1 << 7,
+	ACCEL_OUTSIDE_RIGHT = 1 << 8,
+	ACCEL_OUTSIDE_TOP = 1 << 9,
+	ACCEL_OUTSIDE_BOTTOM = 1 << 10
+};
+#define ACCEL_CLIP_PLANES 7
+#define ACCEL_OUTSIDE_CLIP ((1u << ACCEL_CLIP_PLANES) - 1)
+
+/* Light at a point of a surface, and what tells how it may change around it. */
+struct accel_sample {
+	float colour[4];		/* 0 to ACCEL_COLOUR_MAX, alpha to 1 */
+	float shine;			/* largest cosine between the normal and a half vector */
+	float near;			/* 1/distance^2 of the nearest of viewer and lamps */
+	float near_lamp;		/* the same of lamps alone */
+	uint8_t facing;			/* bit i: light i is above the surface */
+	uint8_t in_cone;		/* bit i: the point is in the cone of light i */
+};
+
+struct accel_vertex {
+	int32_t x, y;			/* window, y down, ACCEL_WINDOW_BITS fraction bits */
+	float w;			/* of clip space, for perspective */
+	uint32_t outside;		/* of enum accel_outside; if to be clipped, x, y, w, z are not set */
+	double z;			/* of the window, 0 to 1 */
+	float eye[3];
+	float normal[3];		/* eye space; unit at a mesh's vertices, linear between them */
+	unsigned int sampled;		/* 0 no, 1 as front, 2 as back side */
+	struct accel_sample sample;
+};
+
+/* What of an edge both its triangles use. */
+struct accel_edge {
+	struct accel_sample middle;	/* at the screen midpoint, if sampled */
+	float colour[3];		/* there, as surfaces take it */
+	float spread;			/* about the square of the angle between the end normals */
+	bool sampled, curved, split;
+};
+
+/* A triangle and its edges; edge i is from vertex i to the next. */
+struct accel_patch {
+	const struct accel_vertex *vertex[3];
+	const struct accel_edge *edge[3];
+};
+
+/* ---- geometry.c ---- */
+
+/* Clip space to the window. */
+struct accel_window {
+	double scale[3], offset[3];	/* window = scale * ndc + offset */
+	double guard[4];		/* left, right, top, bottom, pixels */
+	struct accel_rectangle visible;	/* viewport, scissor and target */
+};
+
+struct accel_transform {
+	double clip[16], eye[16], normal[9];	/* column by column */
+	struct accel_window window;
+};
+
+void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,
+			 int width, int height);
+void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
+			       double clip[4]);
+/* All of @vertex but its sample. -EINVAL: something is not finite. */
+int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],
+			  const float *normal, struct accel_vertex *vertex);
+/* Sets x, y, w, z; @clip has positive w. What is outside the guard band is moved to its border. */
+void accel_geometry_project(const struct accel_window *window, const double clip[4],
+			    struct accel_vertex *vertex);
+/* Distance of @clip from a plane, positive inside; linear in @clip. */
+double accel_geometry_distance(const struct accel_window *window, int plane,
+			       const double clip[4]);
+
+/* ---- clip.c ---- */
+
+#define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_PLANES + 1)
+
+struct accel_corner {
+	double clip[4];
+	struct accel_vertex vertex;
+};
+
+/*
+ * Cuts a triangle, in polygon[0..2], by the planes in @planes. Returns the corners left, 0 or 3 to
+ * ACCEL_POLYGON_MAX, projected and not sampled.
+ */
+int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
+		       struct accel_corner polygon[ACCEL_POLYGON_MAX]);
+/* The corner from which the polygon is cut into a fan. */
+int accel_clip_apex(const struct accel_corner *polygon, int corners);
+
+/* ---- lighting.c ---- */
+
+struct accel_lamp {
+	bool point, spot, shines;	/* not directional; has a cone; has a specular part */
+	float position[3];		/* or the unit direction towards it */
+	float half[3];			/* unit half vector, if it is the same everywhere */
+	float attenuation[3];
+	float cone_axis[3], cone_cosine, cone_exponent;
+	float ambient[2][3], diffuse[2][3], specular[2][3];	/* times the materials */
+	uint8_t bit;
+};
+
+/* One side of the material under all lights. */
+struct accel_finish {
+	float base[3];			/* what is the same everywhere */
+	float alpha;
+	float shininess;
+	float faint_cosine;		/* below it a highlight is not worth its power function */
+	float visible_cosine, visible_sine;	/* of the angle at which a highlight is lost */
+	float diffuse, specular;	/* of all lights, the brightest channel */
+};
+
+struct accel_lighting {
+	bool local_viewer;
+	float cone_exponent;		/* the largest */
+	int lamps;
+	struct accel_lamp lamp[ACCEL_LIGHTS];
+	struct accel_finish finish[2];	/* front, back */
+};
+
+void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state);
+/* @normal need not be unit length; the back side has it reversed. */
+void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
+			   const float normal[3], struct accel_sample *sample);
+/* @x to the power of @n, 0 <= x <= 1, 0 <= n; 0 below 2^-126. */
+float accel_lighting_power(float x, float n);
+
+/* ---- one call of accel_draw_mesh ---- */
+
+#define ACCEL_EDGE_CACHE 2048
+
+struct accel_edge_entry {
+	uint64_t key;			/* the vertices' indices */
+	uint64_t pass;			/* accel_pass.number and the side it belongs to */
+	struct accel_edge edge;
+};
+
+struct accel_pass {
+	const struct accel_state *state;
+	const struct accel_mesh *mesh;
+	bool lit;
+	struct accel_transform transform;
+	struct accel_lighting lighting;
+	struct accel_vertex *vertex;	/* of the mesh */
+	struct accel_edge_entry *cache;	/* ACCEL_EDGE_CACHE of them */
+	uint64_t number;
+	struct accel_bin *bin;
+	struct accel_draw_stats *stats;
+};
+
+/* ---- mesh.c ---- */
+
+/* -EINVAL: no position array, or an index out of range. */
+int accel_mesh_check(const struct accel_mesh *mesh);
+/* Fills pass->vertex. -EINVAL: something is not finite. */
+int accel_mesh_transform(struct accel_pass *pass);
+int accel_mesh_draw(struct accel_pass *pass);
+
+/* ---- shading.c ---- */
+
+/* Makes sure that the vertex has its sample of @side. */
+void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *vertex, int side);
+/* The vertex in the middle of an edge on the screen, not sampled. */
+void accel_shading_middle(const struct accel_vertex *a, const struct accel_vertex *b,
+			  struct accel_vertex *middle);
+/* What the edge between two sampled vertices needs. */
+void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+			const struct accel_vertex *b, int side, struct accel_edge *edge);
+/* The same for vertices of the mesh, worked out once for both triangles. */
+void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t b, int side,
+			     struct accel_edge *edge);
+/* Must the triangle be split although none of its edges is? */
+bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch,
+			  int side);
+
+/* ---- setup.c ---- */
+
+/* An edge from row to row: x = ceil(place) is floor((start + row * dx) / dy), r what is left. */
+struct accel_line {
+	int64_t start;
+	int32_t dx, dy;			/* without common powers of two */
+	int32_t step;			/* dx / dy, and */
+	uint32_t m;			/* its remainder; 0 if the edge crosses one row */
+};
+
+struct accel_setup {
+	int first, turn, end;		/* rows; @turn is where the two short edges meet */
+	struct accel_line left, right, middle;
+	bool right_turns;		/* middle takes the place of the right edge at @turn */
+	bool narrow;			/* fits edges_compact */
+};
+
+/* The pixels of a row: left <= x < right. */
+struct accel_row {
+	int32_t left, right;
+	uint32_t left_r, right_r;
+};
+
+#define ACCEL_BAND_ROWS 64
+
+/* Are the edge's numbers small enough for the core? */
+bool accel_setup_edge_fits(const struct accel_vertex *a, const struct accel_vertex *b);
+/* The edges of a triangle that has an area; false: it crosses no row. */
+bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *const vertex[3]);
+/* The left or right edge in a row. */
+const struct accel_line *accel_setup_line(const struct accel_setup *setup, int row, bool right);
+/* Where an edge is in a row. */
+int32_t accel_setup_at(const struct accel_line *line, int row, uint32_t *r);
+/* Rows @first to @end - 1 of the triangle, at most ACCEL_BAND_ROWS. */
+void accel_setup_rows(const struct accel_setup *setup, int first, int end,
+		      struct accel_row *row);
+/* false: no pixel of @visible is in the triangle. A large triangle is not looked at. */
+bool accel_setup_draws(const struct accel_setup *setup, const struct accel_rectangle *visible);
+
+/* ---- surface.c ---- */
+
+/* As in the packet: value, first and second differences, s10.22. */
+struct accel_surface {
+	uint32_t i, dx, dy, dxx, dxy, dyy;
+};
+
+/* s28.12 at pixel (x, y) of the target. */
+struct accel_plane {
+	int x, y;
+	int64_t z, dx, dy;
+	bool narrow;			/* rounded to, and fits, depth_compact */
+};
+
+/* The place of the unit triangle (0,0) (1,0) (0,1) on screen: u and v at the anchor, and slopes. */
+struct accel_frame {
+	int x, y;			/* the anchor's pixel */
+	double u, v, ux, uy, vx, vy;
+};
+
+struct accel_triangle {
+	struct accel_setup setup;
+	const struct accel_plane *plane;
+	int x, y;			/* pixel the surfaces hold at */
+	enum gloss_shading shading;
+	bool alpha_linear;
+	struct accel_surface channel[4];
+	uint8_t constant[4];		/* instead of surfaces */
+};
+
+/* Signed area of a triangle on screen, positive if it runs clockwise (y down). */
+int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vertex *b,
+			   const struct accel_vertex *c);
+void accel_surface_frame(struct accel_frame *frame, const struct accel_vertex *const vertex[3]);
+/* @narrow: the triangle is, so that the plane may be rounded to depth_compact. */
+void accel_surface_plane(struct accel_plane *plane, const struct accel_frame *frame,
+			 const struct accel_vertex *const vertex[3], bool narrow);
+/* Surfaces through the patch's samples: flat, linear or second order, as it needs. */
+void accel_surface_patch(struct accel_triangle *triangle, const struct accel_frame *frame,
+			 const struct accel_patch *patch);
+/* A linear surface through the vertices' colours clamped to 0..1; flat if they are equal. */
+void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_frame *frame,
+			   const struct accel_vertex *const vertex[3]);
+void accel_surface_flat(struct accel_triangle *triangle, const float colour[4]);
+
+/* ---- split.c ---- */
+
+/*
+ * Draws a triangle as the state's shading says. @index are its vertices in the mesh, NULL if they
+ * are not of it; @flat is the vertex that gives a flat triangle its colour.
+ */
+int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[3],
+		     const uint32_t *index, struct accel_vertex *flat, int side);
+
+/* ---- record.c ---- */
+
+#define ACCEL_RECORD_WORDS 40
+
+/* Where a record goes, in pixels of the target. */
+struct accel_place {
+	int x, y, tile_size;		/* the tile */
+	int first, end;			/* rows to draw */
+	bool covering;
+	const struct accel_row *row;	/* of row @first */
+};
+
+/* Packs the triangle's record for a tile; returns its words. */
+uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
+			   const struct accel_triangle *triangle,
+			   const struct accel_place *place);
+/* A record that fills a tile with a colour (as a colour surface's word) and a depth. */
+uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, uint32_t depth);
+
+/* ---- bin.c ---- */
+
+/* Words that follow each other in a tile. */
+#define ACCEL_CHUNK_WORDS 254
+
+struct accel_chunk {
+	struct accel_chunk *next;
+	uint32_t words[ACCEL_CHUNK_WORDS];
+};
+
+/* What state packets say, as they stand in the stream. */
+struct accel_tile_state {
+	uint32_t depth_state, colour_mask, scissor;
+};
+
+/* What is cleared before anything is drawn: of ACCEL_CLEAR_*, and the values. */
+struct accel_clear {
+	unsigned int mask;
+	uint32_t colour, depth;
+};
+
+struct accel_tile {
+	struct accel_chunk *chunk, *last;
+	uint32_t used;			/* words of the last chunk */
+	uint32_t words;			/* of all */
+	bool drawn;			/* has records; of another tile nothing below is set */
+	bool uses_colour, uses_depth, writes_depth;
+	struct accel_clear clear;
+	struct accel_tile_state first, now;	/* that its records begin, end with */
+};
+
+struct accel_bin {
+	int tile_size;
+	int width, height;		/* of the target, pixels; 0: no target yet */
+	int columns, rows;		/* of tiles */
+	struct accel_tile *tile;	/* row by row */
+	int tiles_room;
+	struct accel_clear clear;
+	struct accel_tile_state state;	/* of what is drawn next; its scissor is per tile */
+	struct accel_rectangle visible;
+	struct accel_block *block, *block_now;
+	int block_used;			/* chunks of block_now */
+	uint64_t records;
+};
+
+void accel_bin_init(struct accel_bin *bin, int tile_size);
+void accel_bin_free(struct accel_bin *bin);
+/* Forgets the frame, and keeps the memory. */
+void accel_bin_reset(struct accel_bin *bin);
+/* Sets the size of the target. */
+int accel_bin_begin(struct accel_bin *bin, int width, int height);
+/* After -ENOMEM the records of some tiles may be missing. */
+int accel_bin_clear(struct accel_bin *bin, const struct accel_clear *clear);
+int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle);
+/* The word of a scissor packet. */
+uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1);
+/* Packets that turn one state into another; returns their words. */
+uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now,
+			   const struct accel_tile_state *state);
+/* What the triangles that follow are drawn with, and where. */
+void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
+		     const struct accel_rectangle *visible);
+
+/* ---- frame.c ---- */
+
+/* A job ends at the first tile after this. */
+#define ACCEL_JOB_WORDS (1u << 24)
+
+/*
+ * Sends the frame in @bin, in jobs of about @job_words. *@fence is the last one's. On failure
+ * *@sent says whether a part of it is on the board.
+ */
+int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
+		       const struct accel_target *target, size_t job_words,
+		       struct accel_draw_stats *stats, struct accel_fence **fence, bool *sent);
+
+#endif

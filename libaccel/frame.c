@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+/* The frame's command stream: tile after tile, in as few jobs as there may be. */
+#include <errno.h>
+
+#include "draw_priv.h"
+
+/* What a tile takes beside its records: begin, state, end. */
+#define TILE_WORDS 16
+
+struct writer {
+	const struct accel_bin *bin;
+	struct accel_stream *stream;
+	const struct accel_target *target;
+	struct accel_tile_state now;	/* as the core has it at this place of the stream */
+	size_t words;			/* of this job */
+};
+
+static int put(struct writer *writer, const uint32_t *words, uint32_t count)
+{
+	writer->words += count;
+	return accel_stream_emit(writer->stream, words, count);
+}
+
+/* Every job starts from the same state, without surfaces. */
+static int job_begin(struct writer *writer)
+{
+	const struct accel_target *target = writer->target;
+	unsigned int rights = ACCEL_SLOT_READ | ACCEL_SLOT_WRITE;
+	int colour = accel_stream_slot(writer->stream, target->colour, rights);
+	int depth = accel_stream_slot(writer->stream, target->depth, rights);
+	uint32_t words[4];
+
+	if (colour < 0)
+		return colour;
+	if (depth < 0)
+		return depth;
+	gloss_colour_surface_pack(words, &(struct gloss_colour_surface){
+		.slot = (uint32_t)colour,
+		.pitch = target->pitch,
+	});
+	gloss_depth_surface_pack(words + 2, &(struct gloss_depth_surface){
+		.slot = (uint32_t)depth,
+		.pitch = target->pitch,
+	});
+	gloss_depth_state_pack(&writer->now.depth_state, &(struct gloss_depth_state){
+		.func = GLOSS_COMPARE_ALWAYS,
+	});
+	gloss_colour_mask_pack(&writer->now.colour_mask,
+			       &(struct gloss_colour_mask){ true, true, true, true });
+	writer->now.scissor = accel_bin_scissor(0, 0, writer->bin->tile_size,
+						writer->bin->tile_size);
+	writer->words = 0;
+	return put(writer, words, 4);
+}
+
+/* What a tile loads and stores; a tile that nothing was drawn on is only cleared. */
+static void tile_frame(const struct writer *writer, const struct accel_tile *tile, uint32_t offset,
+		       struct gloss_tile_begin *begin, struct gloss_tile_end *end)
+{
+	const struct accel_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
+	bool clear_colour = clear->mask & ACCEL_CLEAR_COLOUR;
+	bool clear_depth = clear->mask & ACCEL_CLEAR_DEPTH;
+
+	*begin = (struct gloss_tile_begin){
+		.colour_load = !clear_colour && tile->uses_colour,
+		.depth_load = !clear_depth && tile->uses_depth,
+	};
+	if (begin->colour_load)
+		begin->colour = offset;
+	else if (clear_colour)
+		begin->colour = clear->colour;
+	if (begin->depth_load)
+		begin->depth = offset;
+	else if (clear_depth)
+		begin->depth = clear->depth;
+	*end = (struct gloss_tile_end){ 0 };
+	if (clear_colour || tile->uses_colour) {
+		end->colour_output = GLOSS_TILE_OUTPUT_STORE;
+		end->colour = offset;
+	}
+	if (clear_depth || tile->writes_depth) {
+		end->depth_output = GLOSS_TILE_OUTPUT_STORE;
+		end->depth = offset;
+	}
+}
+
+static int tile_records(struct writer *writer, const struct accel_tile *tile)
+{
+	const struct accel_chunk *chunk;
+	uint32_t words[4];
+	int err = put(writer, words, accel_bin_packets(words, &writer->now, &tile->first));
+
+	for (chunk = tile->chunk; chunk && !err; chunk = chunk->next)
+		err = put(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
+	writer->now = tile->now;
+	return err;
+}
+
+static int tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
+{
+	struct gloss_tile_begin begin;
+	struct gloss_tile_end end;
+	uint32_t words[1 + GLOSS_TILE_BEGIN_WORDS];
+	int err;
+
+	tile_frame(writer, tile, offset, &begin, &end);
+	gloss_tile_begin_pack(words, &begin);
+	err = put(writer, words, 1 + GLOSS_TILE_BEGIN_WORDS);
+	if (!err && tile->drawn)
+		err = tile_records(writer, tile);
+	if (err)
+		return err;
+	gloss_tile_end_pack(words, &end);
+	return put(writer, words, 1 + GLOSS_TILE_END_WORDS);
+}
+
+/* Sends what has been written and waits for it, so that only the last job's fence is left. */
+static int job_end(struct writer *writer, bool *sent)
+{
+	struct accel_fence *fence;
+	int err = accel_stream_submit(writer->stream, NULL, 0, &fence);
+
+	if (err)
+		return err;
+	*sent = true;
+	err = accel_fence_wait(fence, -1, NULL);
+	accel_fence_free(fence);
+	return err;
+}
+
+static int tiles_write(struct writer *writer, size_t job_words, struct accel_draw_stats *stats,
+		       bool *sent)
+{
+	const struct accel_bin *bin = writer->bin;
+	int err = job_begin(writer);
+
+	for (int i = 0; i < bin->columns * bin->rows && !err; i++) {
+		const struct accel_tile *tile = &bin->tile[i];
+		uint32_t x = (uint32_t)(i % bin->columns * bin->tile_size);
+		uint32_t y = (uint32_t)(i / bin->columns * bin->tile_size);
+
+		if (!tile->drawn && !bin->clear.mask)
+			continue;
+		if (writer->words > TILE_WORDS &&
+		    writer->words + tile->words + TILE_WORDS > job_words) {
+			stats->stream_words += writer->words;
+			err = job_end(writer, sent);
+			if (!err)
+				err = job_begin(writer);
+		}
+		if (!err)
+			err = tile_write(writer, tile, y * writer->target->pitch + x * 4);
+		stats->tiles++;
+	}
+	return err;
+}
+
+int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
+		       const struct accel_target *target, size_t job_words,
+		       struct accel_draw_stats *stats, struct accel_fence **fence, bool *sent)
+{
+	struct writer writer = { .bin = bin, .stream = stream, .target = target };
+	int err = 0;
+
+	*sent = false;
+	if (bin->columns)
+		err = tiles_write(&writer, job_words, stats, sent);
+	if (!err)
+		err = accel_stream_submit(stream, NULL, 0, fence);
+	if (err) {
+		accel_stream_reset(stream);
+		return err;
+	}
+	*sent = true;
+	stats->stream_words += writer.words;
+	return 0;
+}

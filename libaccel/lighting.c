@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+/*
+ * OpenGL's fixed-function lighting (specification 1.5, section 2.14.1) at a point of a surface, in
+ * eye space. The highlight is Blinn's: the half vector between viewer and light, not the reflection.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "draw_priv.h"
+
+/* A highlight below this fraction of full scale changes no pixel, and below this it is not even
+ * added; the steps of a channel are 1/255. */
+#define HIGHLIGHT_VISIBLE (2 / 255.0f)
+#define HIGHLIGHT_FAINT (1 / 2048.0f)
+
+static float dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Returns the length that @v had; a vector without length stays so. */
+static float normalise(float v[3])
+{
+	float length = sqrtf(dot(v, v));
+	float scale = length > 0 ? 1 / length : 0;
+
+	for (int i = 0; i < 3; i++)
+		v[i] *= scale;
+	return length;
+}
+
+static void product(float out[3], const float a[4], const float b[4])
+{
+	for (int i = 0; i < 3; i++)
+		out[i] = a[i] * b[i];
+}
+
+static float brightest(const float rgb[3])
+{
+	return fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
+}
+
+/* log2 of a normal number: the exponent, and the series of atanh on the rest, sqrt(1/2) to sqrt(2). */
+static float log2_of(float x)
+{
+	uint32_t bits;
+	int exponent;
+	float t, t2;
+
+	memcpy(&bits, &x, sizeof(bits));
+	exponent = (int32_t)(bits - 0x3f3504f3) >> 23;
+	bits -= (uint32_t)exponent << 23;
+	memcpy(&x, &bits, sizeof(x));
+	t = (x - 1) / (x + 1);
+	t2 = t * t;
+	return (float)exponent +
+	       t * (2.885390082f + t2 * (0.961796694f + t2 * (0.577078016f + t2 * 0.412198583f)));
+}
+
+/* 2^y for -126 <= y <= 0: the exponent, and Taylor's series on the rest, -1/2 to 1/2. */
+static float exp2_of(float y)
+{
+	int whole = (int)(y - 0.5f);
+	float f = y - (float)whole;
+	uint32_t bits = (uint32_t)(whole + 127) << 23;
+	float scale;
+
+	memcpy(&scale, &bits, sizeof(scale));
+	return scale * (1 + f * (0.693147181f +
+				 f * (0.240226507f +
+				      f * (0.0555041087f +
+					   f * (0.00961812911f +
+						f * (0.00133335581f + f * 0.000154035304f))))));
+}
+
+/* The C library's powf is exact to the last bit, slower, and not the same in all of them. */
+float accel_lighting_power(float x, float n)
+{
+	float y;
+
+	if (n == 0)
+		return 1;
+	if (!(x >= 0x1p-126f))
+		return 0;
+	y = n * log2_of(x);
+	if (!(y > -126))
+		return 0;
+	return y < 0 ? exp2_of(y) : 1;
+}
+
+static void lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
+		      const struct accel_light *light)
+{
+	static const float ahead[3] = { 0, 0, 1 };
+
+	lamp->point = light->position[3] != 0;
+	lamp->spot = lamp->point && light->spot_cutoff <= 90;
+	lamp->shines = false;
+	lamp->cone_exponent = light->spot_exponent;
+	lamp->cone_cosine = cosf(light->spot_cutoff * (float)(3.14159265358979 / 180));
+	for (int i = 0; i < 3; i++) {
+		lamp->position[i] = light->position[i];
+		if (lamp->point)
+			lamp->position[i] /= light->position[3];
+		lamp->attenuation[i] = light->attenuation[i];
+		lamp->cone_axis[i] = light->spot_direction[i];
+	}
+	normalise(lamp->cone_axis);
+	if (!lamp->point)
+		normalise(lamp->position);
+	for (int i = 0; i < 3; i++)
+		lamp->half[i] = lamp->position[i] + ahead[i];
+	normalise(lamp->half);
+	for (int side = 0; side < 2; side++) {
+		const struct accel_material *material = &state->material[side];
+
+		product(lamp->ambient[side], light->ambient, material->ambient);
+		product(lamp->diffuse[side], light->diffuse, material->diffuse);
+		product(lamp->specular[side], light->specular, material->specular);
+		lamp->shines |= brightest(lamp->specular[side]) > 0;
+	}
+}
+
+/* The cosine at which @strength * cosine^n has fallen to @level; above 1 if it never is so bright. */
+static float fall_cosine(float strength, float n, float level)
+{
+	if (strength <= level)
+		return 2;
+	return n > 0 ? (float)pow((double)(level / strength), 1 / (double)n) : 0;
+}
+
+static void finish_init(struct accel_lighting *lighting, const struct accel_state *state, int side)
+{
+	const struct accel_material *material = &state->material[side];
+	struct accel_finish *finish = &lighting->finish[side];
+	float diffuse[3] = { 0 }, specular[3] = { 0 };
+
+	product(finish->base, state->ambient, material->ambient);
+	for (int i = 0; i < 3; i++) {
+		finish->base[i] += material->emission[i];
+		for (int j = 0; j < lighting->lamps; j++) {
+			const struct accel_lamp *lamp = &lighting->lamp[j];
+
+			if (!lamp->point)
+				finish->base[i] += lamp->ambient[side][i];
+			diffuse[i] += lamp->diffuse[side][i];
+			specular[i] += lamp->specular[side][i];
+		}
+	}
+	finish->alpha = fminf(fmaxf(material->diffuse[3], 0), 1);
+	finish->shininess = material->shininess;
+	finish->diffuse = brightest(diffuse);
+	finish->specular = brightest(specular);
+	finish->faint_cosine =
+		fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_FAINT);
+	finish->visible_cosine =
+		fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_VISIBLE);
+	finish->visible_sine =
+		sqrtf(fmaxf(1 - finish->visible_cosine * finish->visible_cosine, 0));
+}
+
+void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state)
+{
+	lighting->local_viewer = state->local_viewer;
+	lighting->cone_exponent = 0;
+	lighting->lamps = 0;
+	for (int i = 0; i < ACCEL_LIGHTS; i++) {
+		struct accel_lamp *lamp = &lighting->lamp[lighting->lamps];
+
+		if (!state->light[i].enabled)
+			continue;
+		lamp_init(lamp, state, &state->light[i]);
+		lamp->bit = (uint8_t)(1 << i);
+		if (lamp->spot)
+			lighting->cone_exponent =
+				fmaxf(lighting->cone_exponent, lamp->cone_exponent);
+		lighting->lamps++;
+	}
+	finish_init(lighting, state, 0);
+	finish_init(lighting, state, 1);
+}
+
+/* A point of a surface and the directions there, all of unit length. */
+struct point {
+	const float *eye;
+	float normal[3], viewer[3];
+};
+
+/* Turns @to into the direction towards a lamp that is a point; returns how much of its light
+ * arrives. */
+static float reach(const struct accel_lamp *lamp, const float eye[3], float to[3],
+		   struct accel_sample *sample)
+{
+	float distance, near, cosine, factor;
+
+	for (int i = 0; i < 3; i++)
+		to[i] = lamp->position[i] - eye[i];
+	distance = normalise(to);
+	near = 1 / (distance * distance);
+	if (near > sample->near_lamp)
+		sample->near_lamp = near;
+	factor = 1 / (lamp->attenuation[0] +
+		      distance * (lamp->attenuation[1] + distance * lamp->attenuation[2]));
+	if (!lamp->spot)
+		return factor;
+	cosine = -dot(to, lamp->cone_axis);
+	if (cosine < lamp->cone_cosine)
+		return 0;
+	sample->in_cone |= lamp->bit;
+	return factor * accel_lighting_power(cosine, lamp->cone_exponent);
+}
+
+static float half_cosine(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
+			 const struct point *point, const float to[3])
+{
+	float half[3];
+
+	if (!lamp->point && !lighting->local_viewer)
+		return dot(point->normal, lamp->half);
+	for (int i = 0; i < 3; i++)
+		half[i] = to[i] + point->viewer[i];
+	normalise(half);
+	return dot(point->normal, half);
+}
+
+static void add_lamp(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
+		     int side, const struct point *point, struct accel_sample *sample)
+{
+	const struct accel_finish *finish = &lighting->finish[side];
+	float away[3], cosine, shine, highlight = 0, factor = 1;
+	const float *to = lamp->position;
+
+	if (lamp->point) {
+		factor = reach(lamp, point->eye, away, sample);
+		to = away;
+		for (int i = 0; i < 3; i++)
+			sample->colour[i] += factor * lamp->ambient[side][i];
+	}
+	cosine = dot(point->normal, to);
+	if (lamp->shines) {
+		shine = half_cosine(lighting, lamp, point, to);
+		if (shine > sample->shine)
+			sample->shine = shine;
+		if (cosine > 0 && (shine > finish->faint_cosine || finish->shininess == 0))
+			highlight = factor * accel_lighting_power(shine, finish->shininess);
+	}
+	if (!(cosine > 0))
+		return;
+	sample->facing |= lamp->bit;
+	cosine *= factor;
+	for (int i = 0; i < 3; i++)
+		sample->colour[i] += cosine * lamp->diffuse[side][i] +
+				     highlight * lamp->specular[side][i];
+}
+
+void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
+			   const float normal[3], struct accel_sample *sample)
+{
+	struct point point = { .eye = eye, .viewer = { 0, 0, 1 } };
+	float sign = side ? -1 : 1, distance;
+
+	*sample = (struct accel_sample){ .shine = -1 };
+	for (int i = 0; i < 3; i++) {
+		sample->colour[i] = lighting->finish[side].base[i];
+		point.normal[i] = sign * normal[i];
+	}
+	normalise(point.normal);
+	if (lighting->local_viewer) {
+		for (int i = 0; i < 3; i++)
+			point.viewer[i] = -eye[i];
+		distance = normalise(point.viewer);
+		sample->near = 1 / (distance * distance);
+	}
+	for (int i = 0; i < lighting->lamps; i++)
+		add_lamp(lighting, &lighting->lamp[i], side, &point, sample);
+	sample->near = sample->near_lamp > sample->near ? sample->near_lamp : sample->near;
+	for (int i = 0; i < 3; i++) {
+		/* Also turns what is not a number into 0. */
+		float colour = sample->colour[i] > 0 ? sample->colour[i] : 0;
+
+		sample->colour[i] = colour < ACCEL_COLOUR_MAX ? colour : ACCEL_COLOUR_MAX;
+	}
+	sample->colour[3] = lighting->finish[side].alpha;
+}

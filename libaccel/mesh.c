@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+/* A mesh's triangles, one after the other: their vertices, whether they are seen, which side. */
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+#include "draw_priv.h"
+
+int accel_mesh_check(const struct accel_mesh *mesh)
+{
+	if (!mesh->position || (unsigned int)mesh->topology > ACCEL_TRIANGLE_FAN)
+		return -EINVAL;
+	for (uint32_t i = 0; mesh->index && i < mesh->indices; i++)
+		if (mesh->index[i] >= mesh->vertices)
+			return -EINVAL;
+	return 0;
+}
+
+int accel_mesh_transform(struct accel_pass *pass)
+{
+	const struct accel_mesh *mesh = pass->mesh;
+	int err;
+
+	for (uint32_t i = 0; i < mesh->vertices; i++) {
+		struct accel_vertex *vertex = &pass->vertex[i];
+
+		err = accel_geometry_vertex(&pass->transform, mesh->position[i],
+					    pass->lit && mesh->normal ? mesh->normal[i] : NULL,
+					    vertex);
+		if (err)
+			return err;
+		vertex->sample = (struct accel_sample){ .colour = { 1, 1, 1, 1 } };
+		for (int j = 0; j < 4 && mesh->colour && !pass->lit; j++) {
+			float colour = mesh->colour[i][j];
+
+			if (!isfinite(colour))
+				return -EINVAL;
+			vertex->sample.colour[j] = colour < 0 ? 0 : colour > 1 ? 1 : colour;
+		}
+	}
+	return 0;
+}
+
+/* The direction in which the front of a triangle looks, by its vertices in eye space. */
+static void face_normal(const float a[3], const float b[3], const float c[3], float out[3])
+{
+	double n[3], length;
+
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		n[i] = ((double)b[j] - (double)a[j]) * ((double)c[k] - (double)a[k]) -
+		       ((double)b[k] - (double)a[k]) * ((double)c[j] - (double)a[j]);
+	}
+	length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+	for (int i = 0; i < 3; i++)
+		out[i] = length > 0 ? (float)(n[i] / length) : 0;
+}
+
+/* The side that is seen; -1: neither, or it is culled. */
+static int visible_side(const struct accel_state *state, int64_t area)
+{
+	/* Counter-clockwise on screen is front, and window y points down. */
+	bool back = area > 0;
+
+	if (area == 0 || state->cull == (back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT))
+		return -1;
+	return back && state->two_sided && state->lighting ? 1 : 0;
+}
+
+static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
+			const uint32_t index[3], uint32_t planes)
+{
+	struct accel_corner polygon[ACCEL_POLYGON_MAX];
+	struct accel_vertex flat = *vertex[2];
+	int64_t area = 0;
+	int corners, apex, side, err = 0;
+
+	for (int i = 0; i < 3; i++) {
+		accel_geometry_clip_space(&pass->transform, pass->mesh->position[index[i]],
+					  polygon[i].clip);
+		polygon[i].vertex = *vertex[i];
+		polygon[i].vertex.sampled = 0;
+	}
+	flat.sampled = 0;
+	corners = accel_clip_polygon(&pass->transform.window, planes, polygon);
+	for (int i = 1; i + 1 < corners; i++)
+		area += accel_surface_area(&polygon[0].vertex, &polygon[i].vertex,
+					   &polygon[i + 1].vertex);
+	side = visible_side(pass->state, area);
+	if (side < 0) {
+		pass->stats->culled++;
+		return 0;
+	}
+	pass->stats->clipped++;
+	apex = accel_clip_apex(polygon, corners);
+	for (int i = 1; i + 1 < corners && !err; i++) {
+		struct accel_vertex *const fan[3] = {
+			&polygon[apex].vertex,
+			&polygon[(apex + i) % corners].vertex,
+			&polygon[(apex + i + 1) % corners].vertex,
+		};
+		int64_t part = accel_surface_area(fan[0], fan[1], fan[2]);
+
+		if (part && (part > 0) == (area > 0))
+			err = accel_split_draw(pass, fan, NULL, &flat, side);
+	}
+	return err;
+}
+
+/* The last of @index is the vertex that gives a flat triangle its colour. */
+static int draw_triangle(struct accel_pass *pass, const uint32_t index[3])
+{
+	struct accel_vertex *vertex[3], own[3];
+	uint32_t outside_any = 0, outside_all = ~0u;
+	bool shared = !pass->lit || pass->mesh->normal;
+	int side;
+
+	pass->stats->triangles_in++;
+	for (int i = 0; i < 3; i++) {
+		vertex[i] = &pass->vertex[index[i]];
+		outside_any |= vertex[i]->outside;
+		outside_all &= vertex[i]->outside;
+	}
+	side = -1;
+	if (!outside_all && !(outside_any & ACCEL_OUTSIDE_CLIP))
+		side = visible_side(pass->state,
+				    accel_surface_area(vertex[0], vertex[1], vertex[2]));
+	if (outside_all || (side < 0 && !(outside_any & ACCEL_OUTSIDE_CLIP))) {
+		pass->stats->culled++;
+		return 0;
+	}
+	if (!shared) {
+		for (int i = 0; i < 3; i++) {
+			own[i] = *vertex[i];
+			vertex[i] = &own[i];
+		}
+		face_normal(own[0].eye, own[1].eye, own[2].eye, own[0].normal);
+		memcpy(own[1].normal, own[0].normal, sizeof(own[0].normal));
+		memcpy(own[2].normal, own[0].normal, sizeof(own[0].normal));
+	}
+	if (outside_any & ACCEL_OUTSIDE_CLIP)
+		return draw_clipped(pass, vertex, index, outside_any & ACCEL_OUTSIDE_CLIP);
+	return accel_split_draw(pass, vertex, shared ? index : NULL, vertex[2], side);
+}
+
+/* The vertices of the triangle that element @i of the mesh begins. */
+static void triangle_index(const struct accel_mesh *mesh, uint32_t i, uint32_t index[3])
+{
+	uint32_t element[3] = { i, i + 1, i + 2 };
+
+	if (mesh->topology == ACCEL_TRIANGLE_FAN)
+		element[0] = 0;
+	/* Every second triangle of a strip turns the other way. */
+	if (mesh->topology == ACCEL_TRIANGLE_STRIP && i % 2) {
+		element[0] = i + 1;
+		element[1] = i;
+	}
+	for (int j = 0; j < 3; j++)
+		index[j] = mesh->index ? mesh->index[element[j]] : element[j];
+}
+
+int accel_mesh_draw(struct accel_pass *pass)
+{
+	const struct accel_mesh *mesh = pass->mesh;
+	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
+	uint32_t step = mesh->topology == ACCEL_TRIANGLES ? 3 : 1;
+	uint32_t index[3];
+	int err = 0;
+
+	for (uint32_t i = 0; elements - i >= 3 && i < elements && !err; i += step) {
+		triangle_index(mesh, i, index);
+		err = draw_triangle(pass, index);
+	}
+	return err;
+}

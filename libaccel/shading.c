@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+/*
+ * The choice of shading (SH-ADAPT: Romaniuk 2009, ch. 2 and 6), edge by edge. Between the ends of
+ * an edge the light is taken as a straight line, as the second-order curve through the exact light
+ * at the midpoint, or the edge is split there. Only the edge's own two vertices decide.
+ */
+#include <math.h>
+
+#include "draw_priv.h"
+
+/* A step of a channel. */
+#define STEP (1 / 255.0f)
+/* A midpoint nearer to the straight line than this is taken to be on it. */
+#define STRAIGHT (0.7f * STEP)
+/* Errors of the second-order curve beyond this are worth a split. */
+#define CURVE (2.5f * STEP)
+/* Midpoints farther from the straight line than this have their curve examined. */
+#define EXAMINE (8 * STEP)
+/*
+ * spread * n, the square of psi * sqrt(n): below the first a highlight is wide enough for one
+ * curve; above the second samples could miss it, so a split needs no further look.
+ */
+#define HIGHLIGHT_WIDE (1.2f * 1.2f)
+#define HIGHLIGHT_NARROW (3.5f * 3.5f)
+/* The same for the angle at which an edge is seen from a lamp. */
+#define LAMP_NARROW (0.7f * 0.7f)
+/* Pixels: shorter edges are not split, and still shorter ones are straight. */
+#define SPLIT_LENGTH 6.0f
+#define CURVE_LENGTH 2.5f
+
+void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *vertex, int side)
+{
+	if (vertex->sampled == 1u + (unsigned int)side)
+		return;
+	vertex->sampled = 1u + (unsigned int)side;
+	if (pass->lit)
+		accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal,
+				      &vertex->sample);
+}
+
+/* How far from @a and from @b, in space, the point is that is halfway on the screen. */
+static void halfway(const struct accel_vertex *a, const struct accel_vertex *b, float *of_a,
+		    float *of_b)
+{
+	double sum = 1 / ((double)a->w + (double)b->w);
+
+	*of_a = (float)((double)b->w * sum);
+	*of_b = (float)((double)a->w * sum);
+}
+
+void accel_shading_middle(const struct accel_vertex *a, const struct accel_vertex *b,
+			  struct accel_vertex *middle)
+{
+	float s, t;
+
+	halfway(a, b, &s, &t);
+	middle->x = (a->x + b->x) / 2;
+	middle->y = (a->y + b->y) / 2;
+	middle->w = s * a->w + t * b->w;
+	middle->z = (a->z + b->z) / 2;
+	middle->outside = 0;
+	middle->sampled = 0;
+	middle->sample = (struct accel_sample){ 0 };
+	for (int i = 0; i < 3; i++) {
+		middle->eye[i] = s * a->eye[i] + t * b->eye[i];
+		middle->normal[i] = s * a->normal[i] + t * b->normal[i];
+	}
+	for (int i = 0; i < 4; i++)
+		middle->sample.colour[i] = s * a->sample.colour[i] + t * b->sample.colour[i];
+}
+
+static float dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static float larger(float a, float b)
+{
+	return a > b ? a : b;
+}
+
+/* The square of the angle between the normals (of its chord, exactly). */
+static float normal_spread(const struct accel_vertex *a, const struct accel_vertex *b)
+{
+	float length = dot(a->normal, a->normal) * dot(b->normal, b->normal);
+
+	return length > 0 ? larger(2 - 2 * dot(a->normal, b->normal) / sqrtf(length), 0) : 0;
+}
+
+static float distance_squared(const struct accel_vertex *a, const struct accel_vertex *b)
+{
+	float sum = 0;
+
+	for (int i = 0; i < 3; i++) {
+		float d = a->eye[i] - b->eye[i];
+
+		sum += d * d;
+	}
+	return sum;
+}
+
+/* The square of an edge's length on the screen in pixels. */
+static float screen_length(const struct accel_vertex *a, const struct accel_vertex *b)
+{
+	const float scale = 1.0f / ACCEL_WINDOW_ONE;
+	float x = (float)(b->x - a->x) * scale, y = (float)(b->y - a->y) * scale;
+
+	return x * x + y * y;
+}
+
+/*
+ * SH-HILITE: can a highlight be seen within an angle of @radius, sine given, of points where the
+ * half vector is @shine or more from the normal? With the half vector moving along the surface
+ * (a near viewer, a near lamp) there is no closed form for its nearest approach; but it can not
+ * come nearer than the angle that is left.
+ */
+static bool highlight_near(const struct accel_finish *finish, float shine, float sine_squared)
+{
+	float sine, cosine;
+
+	if (finish->visible_cosine > 1)
+		return false;
+	if (!(sine_squared < 1))
+		return true;
+	sine = sqrtf(sine_squared);
+	cosine = sqrtf(1 - sine_squared);
+	return shine > finish->visible_cosine * cosine - finish->visible_sine * sine;
+}
+
+/* What is known of an edge before its midpoint is lit. */
+struct span {
+	float spread;			/* square of the angle of the normals and of what moves by place */
+	float lamp;			/* square of the angle at which a lamp sees it */
+	float length;			/* on the screen, squared, pixels */
+	float shine;
+	bool even;			/* both ends have the same lights */
+};
+
+static void span_init(const struct accel_pass *pass, const struct accel_vertex *a,
+		      const struct accel_vertex *b, struct span *span)
+{
+	const struct accel_sample *sa = &a->sample, *sb = &b->sample;
+	float near = larger(sa->near, sb->near), normals, place;
+
+	*span = (struct span){ .length = screen_length(a, b), .even = true };
+	if (!pass->lit)
+		return;
+	normals = normal_spread(a, b);
+	place = near > 0 ? near * distance_squared(a, b) : 0;
+	span->spread = normals + place + 2 * sqrtf(normals * place);
+	span->lamp = sa->near_lamp > 0 || sb->near_lamp > 0 ?
+		larger(sa->near_lamp, sb->near_lamp) * distance_squared(a, b) : 0;
+	span->shine = larger(sa->shine, sb->shine);
+	span->even = sa->facing == sb->facing && sa->in_cone == sb->in_cone;
+}
+
+/* Bound of the midpoint's distance from the straight line, from second derivatives. */
+static float bend(const struct accel_pass *pass, const struct accel_vertex *a,
+		  const struct accel_vertex *b, const struct accel_finish *finish,
+		  const struct span *span)
+{
+	float change = 0, strength = 0, w = fabsf(a->w - b->w) / (2 * (a->w + b->w));
+
+	for (int i = 0; i < 3; i++)
+		change = larger(change, fabsf(a->sample.colour[i] - b->sample.colour[i]));
+	if (!pass->lit)
+		return change * w;
+	strength = finish->diffuse;
+	/* Within half the edge of one of its ends. */
+	if (highlight_near(finish, span->shine, span->spread / 4))
+		strength += finish->specular * larger(finish->shininess, 1);
+	/* Attenuation falls with the square of the distance at most. */
+	return change * w + (strength * span->spread + (finish->diffuse + finish->specular) *
+			     (pass->lighting.cone_exponent + 6) * span->lamp) / 8;
+}
+
+static float deviation(const float a[3], const float b[3])
+{
+	float most = 0;
+
+	for (int i = 0; i < 3; i++)
+		most = larger(most, fabsf(a[i] - b[i]));
+	return most;
+}
+
+/* The curve's error a quarter of the way from @a, where the exact light is taken again. */
+static float curve_error(const struct accel_pass *pass, const struct accel_vertex *a,
+			 const struct accel_vertex *middle, const struct accel_vertex *b, int side)
+{
+	struct accel_vertex quarter;
+	float curve[3];
+
+	accel_shading_middle(a, middle, &quarter);
+	accel_shading_vertex(pass, &quarter, side);
+	for (int i = 0; i < 3; i++)
+		curve[i] = 0.375f * a->sample.colour[i] + 0.75f * middle->sample.colour[i] -
+			   0.125f * b->sample.colour[i];
+	return deviation(curve, quarter.sample.colour);
+}
+
+static bool wants_split(const struct accel_pass *pass, const struct accel_vertex *a,
+			const struct accel_vertex *middle, const struct accel_vertex *b, int side,
+			const struct span *span, float off_line)
+{
+	const struct accel_finish *finish = &pass->lighting.finish[side];
+	float narrow = pass->lit ? span->spread * finish->shininess : 0;
+	bool shines = narrow > HIGHLIGHT_WIDE &&
+		highlight_near(finish, larger(span->shine, middle->sample.shine),
+			       span->spread / 16);
+
+	if (span->length < SPLIT_LENGTH * SPLIT_LENGTH)
+		return false;
+	if ((shines && narrow > HIGHLIGHT_NARROW) || span->lamp > LAMP_NARROW)
+		return true;
+	if (!shines && span->even && off_line < EXAMINE)
+		return false;
+	return curve_error(pass, a, middle, b, side) > CURVE ||
+	       curve_error(pass, b, middle, a, side) > CURVE;
+}
+
+static void straight(const struct accel_vertex *a, const struct accel_vertex *b, float colour[3])
+{
+	for (int i = 0; i < 3; i++)
+		colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
+}
+
+/* Keeps the curve's control point, which bounds it, inside of what s10.22 holds. */
+static void bound(const float on_line[3], float colour[3])
+{
+	for (int i = 0; i < 3; i++) {
+		float most = (ACCEL_COLOUR_MAX + on_line[i]) / 2;
+
+		colour[i] = colour[i] < most ? colour[i] : most;
+	}
+}
+
+void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+			const struct accel_vertex *b, int side, struct accel_edge *edge)
+{
+	bool adaptive = pass->state->shading == ACCEL_SHADING_ADAPTIVE;
+	struct accel_vertex middle;
+	struct span span;
+	float on_line[3], off_line;
+
+	span_init(pass, a, b, &span);
+	straight(a, b, on_line);
+	*edge = (struct accel_edge){ .spread = span.spread };
+	for (int i = 0; i < 3; i++)
+		edge->colour[i] = on_line[i];
+	if (adaptive && (span.length < CURVE_LENGTH * CURVE_LENGTH ||
+			 (span.even && bend(pass, a, b, &pass->lighting.finish[side], &span) < STRAIGHT)))
+		return;
+	accel_shading_middle(a, b, &middle);
+	accel_shading_vertex(pass, &middle, side);
+	edge->middle = middle.sample;
+	edge->sampled = true;
+	off_line = deviation(on_line, middle.sample.colour);
+	edge->split = adaptive && wants_split(pass, a, &middle, b, side, &span, off_line);
+	edge->curved = !adaptive || off_line >= STRAIGHT;
+	if (!edge->curved)
+		return;
+	for (int i = 0; i < 3; i++)
+		edge->colour[i] = middle.sample.colour[i];
+	bound(on_line, edge->colour);
+}
+
+/* Vertices with neighbouring indices fall on different entries. */
+static uint32_t cache_slot(uint32_t low, uint32_t high)
+{
+	return (low * 0x9e3779b1u ^ high * 0x85ebca77u) >> 21;
+}
+
+void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t b, int side,
+			     struct accel_edge *edge)
+{
+	uint32_t low = a < b ? a : b, high = a < b ? b : a;
+	struct accel_edge_entry *entry = &pass->cache[cache_slot(low, high)];
+	uint64_t key = (uint64_t)high << 32 | low, number = 2 * pass->number + (uint64_t)side;
+
+	if (entry->key != key || entry->pass != number) {
+		entry->key = key;
+		entry->pass = number;
+		accel_shading_edge(pass, &pass->vertex[a], &pass->vertex[b], side, &entry->edge);
+	}
+	*edge = entry->edge;
+}
+
+/* The middle of a triangle on the screen, sampled. */
+static void centre(const struct accel_pass *pass, const struct accel_patch *patch, int side,
+		   struct accel_vertex *vertex)
+{
+	float weight[3], sum = 0;
+
+	*vertex = (struct accel_vertex){ .w = 1 };
+	for (int i = 0; i < 3; i++) {
+		weight[i] = 1 / patch->vertex[i]->w;
+		sum += weight[i];
+	}
+	for (int i = 0; i < 3; i++) {
+		const struct accel_vertex *corner = patch->vertex[i];
+		float part = weight[i] / sum;
+
+		for (int j = 0; j < 3; j++) {
+			vertex->eye[j] += part * corner->eye[j];
+			vertex->normal[j] += part * corner->normal[j];
+		}
+		for (int j = 0; j < 4; j++)
+			vertex->sample.colour[j] += part * corner->sample.colour[j];
+	}
+	accel_shading_vertex(pass, vertex, side);
+}
+
+bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side)
+{
+	const struct accel_finish *finish = &pass->lighting.finish[side];
+	struct accel_vertex middle;
+	float spread = 0, curve[3];
+
+	for (int i = 0; i < 3; i++)
+		spread = larger(spread, patch->edge[i]->spread);
+	if (!pass->lit || !(spread * larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
+		return false;
+	centre(pass, patch, side, &middle);
+	/* No point is farther from the middle than two thirds of the longest edge. */
+	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
+	    highlight_near(finish, middle.sample.shine, spread * 4 / 9))
+		return true;
+	for (int i = 0; i < 3; i++)
+		curve[i] = (4 * (patch->edge[0]->colour[i] + patch->edge[1]->colour[i] +
+				 patch->edge[2]->colour[i]) -
+			    (patch->vertex[0]->sample.colour[i] +
+			     patch->vertex[1]->sample.colour[i] +
+			     patch->vertex[2]->sample.colour[i])) / 9;
+	return deviation(curve, middle.sample.colour) > CURVE;
+}

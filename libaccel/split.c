@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+/*
+ * A triangle and its parts. A triangle is split at the screen midpoints of the edges that ask for
+ * it, and its parts again. Midpoints are exact, so the parts cover the same pixels as the triangle
+ * did, whatever its neighbours do; and they keep the triangle's depth plane, so depth is the same
+ * too, to the bit. Their colour is taken from the triangle's own normals, linear in space.
+ */
+#include "draw_priv.h"
+
+/* What all parts of a triangle share. */
+struct whole {
+	struct accel_pass *pass;
+	struct accel_plane plane;
+	int side;
+};
+
+/* The middle of an edge, and the edges on both sides of it. */
+struct cut {
+	struct accel_vertex middle;
+	struct accel_edge half[2];
+};
+
+static int draw_part(const struct whole *whole, const struct accel_patch *patch, int level);
+
+static void cut_init(const struct whole *whole, const struct accel_patch *patch, int i,
+		     struct cut *cut)
+{
+	const struct accel_vertex *a = patch->vertex[i], *b = patch->vertex[(i + 1) % 3];
+
+	accel_shading_middle(a, b, &cut->middle);
+	if (patch->edge[i]->sampled) {
+		cut->middle.sample = patch->edge[i]->middle;
+		cut->middle.sampled = 1u + (unsigned int)whole->side;
+	} else {
+		accel_shading_vertex(whole->pass, &cut->middle, whole->side);
+	}
+	accel_shading_edge(whole->pass, a, &cut->middle, whole->side, &cut->half[0]);
+	accel_shading_edge(whole->pass, &cut->middle, b, whole->side, &cut->half[1]);
+}
+
+static void inner_edge(const struct whole *whole, const struct accel_vertex *a,
+		       const struct accel_vertex *b, struct accel_edge *edge)
+{
+	accel_shading_edge(whole->pass, a, b, whole->side, edge);
+}
+
+/* Edge 0 into two: from its middle to the vertex opposite. */
+static int split_one(const struct whole *whole, const struct accel_patch *p, int level)
+{
+	const struct accel_vertex *const *v = p->vertex;
+	struct accel_edge inner;
+	struct cut cut;
+	int err;
+
+	cut_init(whole, p, 0, &cut);
+	inner_edge(whole, &cut.middle, v[2], &inner);
+	err = draw_part(whole, &(struct accel_patch){ { v[0], &cut.middle, v[2] },
+						      { &cut.half[0], &inner, p->edge[2] } },
+			level);
+	if (err)
+		return err;
+	return draw_part(whole, &(struct accel_patch){ { &cut.middle, v[1], v[2] },
+						       { &cut.half[1], p->edge[1], &inner } },
+			 level);
+}
+
+/* Edges 0 and 1: the corner between them, and two from what is left. */
+static int split_two(const struct whole *whole, const struct accel_patch *p, int level)
+{
+	const struct accel_vertex *const *v = p->vertex;
+	struct accel_edge across, inner;
+	struct cut cut[2];
+	int err;
+
+	cut_init(whole, p, 0, &cut[0]);
+	cut_init(whole, p, 1, &cut[1]);
+	inner_edge(whole, &cut[0].middle, &cut[1].middle, &across);
+	inner_edge(whole, &cut[0].middle, v[2], &inner);
+	err = draw_part(whole, &(struct accel_patch){ { &cut[0].middle, v[1], &cut[1].middle },
+						      { &cut[0].half[1], &cut[1].half[0], &across } },
+			level);
+	if (err)
+		return err;
+	err = draw_part(whole, &(struct accel_patch){ { &cut[0].middle, &cut[1].middle, v[2] },
+						      { &across, &cut[1].half[1], &inner } },
+			level);
+	if (err)
+		return err;
+	return draw_part(whole, &(struct accel_patch){ { v[0], &cut[0].middle, v[2] },
+						       { &cut[0].half[0], &inner, p->edge[2] } },
+			 level);
+}
+
+/* All edges: three corners and the middle. */
+static int split_three(const struct whole *whole, const struct accel_patch *p, int level)
+{
+	struct accel_edge inner[3];	/* inner[i] cuts off vertex i */
+	struct cut cut[3];
+	int err = 0;
+
+	for (int i = 0; i < 3; i++)
+		cut_init(whole, p, i, &cut[i]);
+	for (int i = 0; i < 3; i++)
+		inner_edge(whole, &cut[i].middle, &cut[(i + 2) % 3].middle, &inner[i]);
+	for (int i = 0; i < 3 && !err; i++) {
+		const struct cut *before = &cut[(i + 2) % 3];
+
+		err = draw_part(whole, &(struct accel_patch){
+			{ p->vertex[i], &cut[i].middle, &before->middle },
+			{ &cut[i].half[0], &inner[i], &before->half[1] } }, level);
+	}
+	if (err)
+		return err;
+	return draw_part(whole, &(struct accel_patch){
+		{ &cut[0].middle, &cut[1].middle, &cut[2].middle },
+		{ &inner[1], &inner[2], &inner[0] } }, level);
+}
+
+static struct accel_patch rotate(const struct accel_patch *patch, int by)
+{
+	struct accel_patch turned;
+
+	for (int i = 0; i < 3; i++) {
+		turned.vertex[i] = patch->vertex[(i + by) % 3];
+		turned.edge[i] = patch->edge[(i + by) % 3];
+	}
+	return turned;
+}
+
+/* The patch turned so that the edges to split, 1 or 2 of them, come first. */
+static struct accel_patch split_first(const struct accel_patch *patch, int count)
+{
+	int by = 0;
+
+	if (count == 1)
+		while (!patch->edge[by]->split)
+			by++;
+	else
+		while (patch->edge[(by + 2) % 3]->split)
+			by++;
+	return rotate(patch, by);
+}
+
+static int split(const struct whole *whole, const struct accel_patch *patch, int count, int level)
+{
+	struct accel_patch turned;
+	struct accel_vertex middle;
+
+	if (count == 3)
+		return split_three(whole, patch, level);
+	turned = split_first(patch, count);
+	accel_shading_middle(turned.vertex[0], turned.vertex[1], &middle);
+	/* The middle of a tall triangle has more digits than its edges; of quarters it has not. */
+	if (!accel_setup_edge_fits(&middle, turned.vertex[2]))
+		return split_three(whole, patch, level);
+	return count == 1 ? split_one(whole, &turned, level) : split_two(whole, &turned, level);
+}
+
+/* Into how many edges' halves: 0 to draw it as it is. */
+static int splits(const struct whole *whole, const struct accel_patch *patch, int level)
+{
+	int count = 0;
+
+	if (whole->pass->state->shading != ACCEL_SHADING_ADAPTIVE || level == ACCEL_SPLIT_LEVELS)
+		return 0;
+	for (int i = 0; i < 3; i++)
+		count += patch->edge[i]->split;
+	if (!count && accel_shading_inside(whole->pass, patch, whole->side))
+		count = 3;
+	return count;
+}
+
+static int draw(struct accel_pass *pass, const struct accel_triangle *triangle)
+{
+	switch (triangle->shading) {
+	case GLOSS_SHADING_FLAT:
+		pass->stats->flat++;
+		break;
+	case GLOSS_SHADING_LINEAR:
+		pass->stats->linear++;
+		break;
+	default:
+		pass->stats->second_order++;
+	}
+	return accel_bin_triangle(pass->bin, triangle);
+}
+
+static int draw_part(const struct whole *whole, const struct accel_patch *patch, int level)
+{
+	struct accel_pass *pass = whole->pass;
+	struct accel_triangle triangle = { .plane = &whole->plane };
+	struct accel_frame frame;
+	int count;
+
+	if (!accel_setup_init(&triangle.setup, patch->vertex) ||
+	    !accel_setup_draws(&triangle.setup, &pass->transform.window.visible))
+		return 0;
+	count = splits(whole, patch, level);
+	if (count)
+		return split(whole, patch, count, level + 1);
+	accel_surface_frame(&frame, patch->vertex);
+	accel_surface_patch(&triangle, &frame, patch);
+	return draw(pass, &triangle);
+}
+
+static int draw_patch(const struct whole *whole, struct accel_triangle *triangle,
+		      const struct accel_frame *frame, const struct accel_vertex *const vertex[3],
+		      const uint32_t *index)
+{
+	struct accel_edge edge[3];
+	struct accel_patch patch;
+	int count;
+
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3;
+
+		if (index)
+			accel_shading_mesh_edge(whole->pass, index[i], index[j], whole->side,
+						&edge[i]);
+		else
+			accel_shading_edge(whole->pass, vertex[i], vertex[j], whole->side,
+					   &edge[i]);
+		patch.vertex[i] = vertex[i];
+		patch.edge[i] = &edge[i];
+	}
+	count = splits(whole, &patch, 0);
+	if (count) {
+		whole->pass->stats->split++;
+		return split(whole, &patch, count, 1);
+	}
+	accel_surface_patch(triangle, frame, &patch);
+	return draw(whole->pass, triangle);
+}
+
+int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[3],
+		     const uint32_t *index, struct accel_vertex *flat, int side)
+{
+	const struct accel_vertex *const corner[3] = { vertex[0], vertex[1], vertex[2] };
+	struct accel_triangle triangle;
+	struct accel_frame frame;
+	struct whole whole = { .pass = pass, .side = side };
+
+	if (!accel_setup_init(&triangle.setup, corner) ||
+	    !accel_setup_draws(&triangle.setup, &pass->transform.window.visible)) {
+		pass->stats->culled++;
+		return 0;
+	}
+	accel_surface_frame(&frame, corner);
+	accel_surface_plane(&whole.plane, &frame, corner, triangle.setup.narrow);
+	triangle.plane = &whole.plane;
+	if (pass->state->shading == ACCEL_SHADING_FLAT) {
+		accel_shading_vertex(pass, flat, side);
+		accel_surface_flat(&triangle, flat->sample.colour);
+		return draw(pass, &triangle);
+	}
+	for (int i = 0; i < 3; i++)
+		accel_shading_vertex(pass, vertex[i], side);
+	if (pass->state->shading != ACCEL_SHADING_GOURAUD)
+		return draw_patch(&whole, &triangle, &frame, corner, index);
+	accel_surface_gouraud(&triangle, &frame, corner);
+	return draw(pass, &triangle);
+}
