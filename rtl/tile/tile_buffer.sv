@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// One bank: a tile's colour and depth in block RAM, a row of K pixels to a word, with one read and one write port, and
+// what its readers must know of the tile. A bank goes round between three stages: tile_load prepares it, fragment draws
+// in it (drawn_o), tile_store reads it (stored_o) while tile_load may already write behind it.
+//
+// Each row of colour and of depth carries the mark it was written with; it belongs to the tile if that is mark_o, else
+// it stands for the clear value. Rows come one clock after the read and stay until the next. A row must not be read in
+// the clock it is written.
+module tile_buffer #(
+  parameter int unsigned Width = 32,
+  parameter int unsigned MarkBits = 4,
+  parameter int unsigned Rows = 1024,
+  localparam int unsigned RowBits = $clog2(Rows)
+) (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+
+  // from tile_load
+  input  logic                load_colour_en_i,
+  input  logic                load_depth_en_i,
+  input  logic [RowBits-1:0]  load_row_i,
+  input  logic [Width-1:0]    load_data_i,
+  input  logic [MarkBits-1:0] load_mark_i,
+  input  logic                load_done_i,    // from now on the bank is drawn, with these clear values and load_mark_i
+  input  logic [31:0]         load_colour_i,
+  input  logic [31:0]         load_depth_i,
+
+  // from fragment
+  input  logic                draw_read_en_i,
+  input  logic [RowBits-1:0]  draw_read_row_i,
+  input  logic                draw_write_en_i,
+  input  logic [RowBits-1:0]  draw_write_row_i,
+  input  logic [Width-1:0]    draw_colour_i,
+  input  logic [Width-1:0]    draw_depth_i,
+  input  logic                draw_done_i,
+
+  // from tile_store
+  input  logic                store_read_en_i,
+  input  logic [RowBits-1:0]  store_read_row_i,
+  input  logic                store_done_i,
+
+  output logic                drawn_o,
+  output logic                stored_o,
+  output logic [MarkBits-1:0] mark_o,
+  output logic [31:0]         clear_colour_o,
+  output logic [31:0]         clear_depth_o,
+  output logic [Width-1:0]    colour_o,
+  output logic [Width-1:0]    depth_o,
+  output logic [MarkBits-1:0] colour_mark_o,
+  output logic [MarkBits-1:0] depth_mark_o
+);
+
+  logic drawn_q, stored_q;
+  logic [MarkBits-1:0] mark_q;
+  logic [31:0] clear_colour_q, clear_depth_q;
+  logic read_en;
+  logic [RowBits-1:0] read_row, write_row;
+  logic [MarkBits-1:0] write_mark;
+
+  assign drawn_o = drawn_q;
+  assign stored_o = stored_q;
+  assign mark_o = mark_q;
+  assign clear_colour_o = clear_colour_q;
+  assign clear_depth_o = clear_depth_q;
+
+  assign read_en = drawn_q ? draw_read_en_i : store_read_en_i;
+  assign read_row = drawn_q ? draw_read_row_i : store_read_row_i;
+  assign write_row = drawn_q ? draw_write_row_i : load_row_i;
+  assign write_mark = drawn_q ? mark_q : load_mark_i;
+
+  ram_1r1w #(
+    .Width(MarkBits + Width),
+    .Depth(Rows)
+  ) u_colour (
+    .clk_i       (clk_i),
+    .write_en_i  (drawn_q ? draw_write_en_i : load_colour_en_i),
+    .write_addr_i(write_row),
+    .write_data_i({write_mark, drawn_q ? draw_colour_i : load_data_i}),
+    .read_en_i   (read_en),
+    .read_addr_i (read_row),
+    .read_data_o ({colour_mark_o, colour_o})
+  );
+
+  ram_1r1w #(
+    .Width(MarkBits + Width),
+    .Depth(Rows)
+  ) u_depth (
+    .clk_i       (clk_i),
+    .write_en_i  (drawn_q ? draw_write_en_i : load_depth_en_i),
+    .write_addr_i(write_row),
+    .write_data_i({write_mark, drawn_q ? draw_depth_i : load_data_i}),
+    .read_en_i   (read_en),
+    .read_addr_i (read_row),
+    .read_data_o ({depth_mark_o, depth_o})
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (load_done_i) begin
+      clear_colour_q <= load_colour_i;
+      clear_depth_q <= load_depth_i;
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      drawn_q <= 1'b0;
+      stored_q <= 1'b0;
+      mark_q <= '1;  // the last one: the rows hold anything, so they are swept before the first tile
+    end else begin
+      if (load_done_i) begin
+        drawn_q <= 1'b1;
+        mark_q <= load_mark_i;
+      end else if (draw_done_i) begin
+        drawn_q <= 1'b0;
+        stored_q <= 1'b1;
+      end else if (store_done_i) begin
+        stored_q <= 1'b0;
+      end
+    end
+  end
+
+endmodule

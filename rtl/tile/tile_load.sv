@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prepares a bank for the next tile: writes loaded rows, as soon as tile_store has read what was there, sweeps the marks
+// when they have run out, and hands the bank to fragment. Banks take turns.
+//
+// The tiles of a bank are marked 1, 2, ...; after the last mark all rows are given mark 0, which no tile has, and the
+// next tile has mark 1 again. That is done as soon as a bank is free, so mostly no tile waits for it.
+module tile_load #(
+  parameter int unsigned Width = 32,
+  parameter int unsigned MarkBits = 4,
+  parameter int unsigned Rows = 1024,
+  parameter int unsigned FifoBeats = 128,
+  localparam int unsigned RowBits = $clog2(Rows)
+) (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+
+  // from tile_fetch
+  input  logic                plan_valid_i,
+  output logic                plan_ready_o,
+  input  logic                plan_colour_load_i,
+  input  logic                plan_depth_load_i,
+  input  logic [31:0]         plan_colour_i,
+  input  logic [31:0]         plan_depth_i,
+  output logic                beat_taken_o,
+
+  // from memory
+  input  logic                load_data_valid_i,
+  input  logic [Width-1:0]    load_data_i,
+
+  // to the bank: all but data and row only for bank_o
+  output logic                bank_o,
+  input  logic                bank_drawn_i,
+  input  logic                bank_stored_i,
+  input  logic [MarkBits-1:0] bank_mark_i,
+  output logic                colour_en_o,
+  output logic                depth_en_o,
+  output logic [RowBits-1:0]  row_o,
+  output logic [Width-1:0]    data_o,
+  output logic [MarkBits-1:0] mark_o,
+  output logic                done_o,
+  output logic [31:0]         colour_o,
+  output logic [31:0]         depth_o,
+
+  // from tile_store: it is at the tile in store_bank_i; a part of which it reads rows, those below store_row_i are
+  // read; a part that is gone is read wholly or not wanted
+  input  logic                store_bank_i,
+  input  logic                store_colour_reads_i,
+  input  logic                store_colour_gone_i,
+  input  logic                store_depth_reads_i,
+  input  logic                store_depth_gone_i,
+  input  logic [RowBits-1:0]  store_row_i
+);
+
+  typedef enum logic [2:0] {Idle, Sweep, Colour, Depth, Done} state_e;
+
+  state_e state_d, state_q;
+  logic bank_q, swept_q, depth_load_q;
+  logic [RowBits-1:0] row_q;
+  logic [31:0] colour_q, depth_q;
+
+  logic take, write, data_valid;
+  logic bank_free, behind, colour_free, depth_free;
+
+  // tile_fetch leaves room for all it asks for.
+  logic unused_fifo_ready;
+
+  ram_fifo #(
+    .Width(Width),
+    .Depth(FifoBeats)
+  ) u_fifo (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(load_data_valid_i),
+    .ready_o(unused_fifo_ready),
+    .data_i (load_data_i),
+    .valid_o(data_valid),
+    .ready_i(beat_taken_o),
+    .data_o (data_o)
+  );
+
+  assign bank_free = !bank_drawn_i && !bank_stored_i;
+  assign behind = row_q < store_row_i;
+  assign colour_free = bank_free || (bank_stored_i && store_bank_i == bank_q
+      && (store_colour_gone_i || (store_colour_reads_i && behind)));
+  assign depth_free = bank_free || (bank_stored_i && store_bank_i == bank_q
+      && (store_depth_gone_i || (store_depth_reads_i && behind)));
+
+  assign take = plan_valid_i && plan_ready_o;
+  assign plan_ready_o = state_q == Idle && (swept_q || bank_mark_i != '1);
+
+  assign bank_o = bank_q;
+  assign row_o = row_q;
+  assign mark_o = state_q == Sweep ? '0 : (swept_q ? '0 : bank_mark_i) + 1'b1;
+  assign colour_o = colour_q;
+  assign depth_o = depth_q;
+
+  always_comb begin
+    state_d = state_q;
+    colour_en_o = 1'b0;
+    depth_en_o = 1'b0;
+    done_o = 1'b0;
+
+    unique case (state_q)
+      Idle: begin
+        if (!plan_ready_o) state_d = Sweep;
+        else if (plan_valid_i) state_d = plan_colour_load_i ? Colour : plan_depth_load_i ? Depth : Done;
+      end
+      Sweep: begin
+        colour_en_o = colour_free && depth_free;
+        depth_en_o = colour_en_o;
+        if (write && row_q == '1) state_d = Idle;
+      end
+      Colour: begin
+        colour_en_o = colour_free && data_valid;
+        if (write && row_q == '1) state_d = depth_load_q ? Depth : Done;
+      end
+      Depth: begin
+        depth_en_o = depth_free && data_valid;
+        if (write && row_q == '1) state_d = Done;
+      end
+      Done: begin
+        done_o = bank_free;
+        if (done_o) state_d = Idle;
+      end
+      default: state_d = Idle;
+    endcase
+  end
+
+  assign write = colour_en_o || depth_en_o;
+  assign beat_taken_o = write && state_q != Sweep;
+
+  always_ff @(posedge clk_i) begin
+    if (take) begin
+      colour_q <= plan_colour_i;
+      depth_q <= plan_depth_i;
+      depth_load_q <= plan_depth_load_i;
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Idle;
+      bank_q <= 1'b0;
+      swept_q <= 1'b0;
+      row_q <= '0;
+    end else begin
+      state_q <= state_d;
+      if (write) row_q <= row_q + 1'b1;
+      if (state_q == Sweep && write && row_q == '1) swept_q <= 1'b1;
+      if (done_o) begin
+        bank_q <= !bank_q;
+        swept_q <= 1'b0;
+      end
+    end
+  end
+
+endmodule

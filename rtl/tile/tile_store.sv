@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads tiles that are drawn, in stream order, colour before depth, and sends their rows to memory or into the response
+// stream, one row of K pixels a clock. A tile waits here until it is drawn and its end is known; the bank is given back
+// when its last row has been read. Three clocks from the read to the output.
+module tile_store #(
+  parameter int unsigned TileSize = 64,
+  parameter int unsigned PixelsPerClock = 1,
+  parameter int unsigned MarkBits = 4,
+  localparam int unsigned Width = 32 * PixelsPerClock,
+  localparam int unsigned RowBits = $clog2(TileSize * TileSize / PixelsPerClock),
+  localparam int unsigned UnitBits = $clog2(4 * TileSize),
+  localparam int unsigned AddressBits = 32 - UnitBits,
+  localparam int unsigned PitchBits = 16 - UnitBits
+) (
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
+
+  // from tile_pending: what becomes of tile tile_o
+  output logic [3:0]             tile_o,         // tiles before this one are read
+  output logic                   part_depth_o,
+  input  logic [3:0]             ended_i,
+  input  logic [3:0]             done_i,
+  input  logic [1:0]             colour_output_i,
+  input  logic [1:0]             depth_output_i,
+  input  logic [AddressBits-1:0] part_address_i,
+  input  logic [PitchBits-1:0]   part_pitch_i,
+
+  // the bank of tile_o; its row comes one clock after the read and stays
+  input  logic                   bank_stored_i,
+  output logic                   read_en_o,
+  output logic [RowBits-1:0]     row_o,
+  output logic                   bank_done_o,
+  input  logic [MarkBits-1:0]    mark_i,
+  input  logic [31:0]            clear_colour_i,
+  input  logic [31:0]            clear_depth_i,
+  input  logic [Width-1:0]       colour_i,
+  input  logic [Width-1:0]       depth_i,
+  input  logic [MarkBits-1:0]    colour_mark_i,
+  input  logic [MarkBits-1:0]    depth_mark_i,
+
+  // to tile_load: rows below row_o of the part that is read are free; a part that is gone is free wholly
+  output logic                   colour_reads_o,
+  output logic                   colour_gone_o,
+  output logic                   depth_reads_o,
+  output logic                   depth_gone_o,
+
+  // answers
+  output logic                   response_valid_o,
+  input  logic                   response_ready_i,
+  output logic [Width-1:0]       response_data_o,
+  output logic                   row_answered_o,
+
+  // to memory
+  output logic                   store_valid_o,
+  input  logic                   store_ready_i,
+  output logic [31:0]            store_address_o,
+  output logic                   store_data_valid_o,
+  input  logic                   store_data_ready_i,
+  output logic [Width-1:0]       store_data_o,
+  output logic                   store_data_last_o
+);
+
+  localparam int unsigned RowBeatsBits = $clog2(TileSize / PixelsPerClock);
+
+  typedef enum logic [1:0] {Wait, Start, Read, Drain} state_e;
+
+  state_e state_d, state_q;
+  logic [3:0] tile_q;
+  logic depth_q, answer_q;  // the part that is read, and where it goes
+  logic [RowBits-1:0] row_q;
+  logic row_first, row_last, part_last;
+  logic [1:0] part_output;
+
+  logic store_valid_q;
+  logic [AddressBits-1:0] address_q;
+  logic [PitchBits-1:0] pitch_q;
+
+  // The row in the RAM's output, then in a register where its mark is compared, then at the output.
+  logic ram_valid_q, ram_depth_q, ram_answer_q, ram_last_q;
+  logic word_valid_q, word_depth_q, word_answer_q, word_last_q, word_moves;
+  logic [Width-1:0] word_q;
+  logic [MarkBits-1:0] word_mark_q;
+  logic [31:0] word_clear;
+  logic out_valid, out_ready, out_answer, out_last;
+  logic [Width-1:0] out_word;
+
+  assign tile_o = tile_q;
+  assign row_o = row_q;
+  assign part_depth_o = depth_q;
+  assign part_output = depth_q ? depth_output_i : colour_output_i;
+
+  assign colour_reads_o = state_q == Read && !depth_q;
+  assign depth_reads_o = state_q == Read && depth_q;
+  assign colour_gone_o = state_q == Drain || (state_q != Wait && depth_q);
+  assign depth_gone_o = state_q == Drain
+      || (state_q != Wait && depth_output_i == gloss_pkg::TILE_OUTPUT_DROP);
+
+  assign row_first = row_q[RowBeatsBits-1:0] == '0;
+  assign row_last = row_q[RowBeatsBits-1:0] == '1;
+  assign part_last = read_en_o && row_q == '1;
+
+  always_comb begin
+    state_d = state_q;
+    read_en_o = 1'b0;
+    bank_done_o = 1'b0;
+
+    unique case (state_q)
+      Wait: begin
+        if (ended_i != tile_q && bank_stored_i) begin
+          state_d = colour_output_i == gloss_pkg::TILE_OUTPUT_DROP
+              && depth_output_i == gloss_pkg::TILE_OUTPUT_DROP ? Drain : Start;
+        end
+      end
+      // The last address of the part before is still to be taken, or answers have to wait for what was before them.
+      Start: begin
+        if (!store_valid_q && (part_output != gloss_pkg::TILE_OUTPUT_ANSWER || done_i == tile_q)) state_d = Read;
+      end
+      // An address is always out before its data, and the data do not wait for the address to be taken.
+      Read: begin
+        read_en_o = (!ram_valid_q || word_moves) && (!row_first || answer_q || !store_valid_q);
+        if (part_last) state_d = !depth_q && depth_output_i != gloss_pkg::TILE_OUTPUT_DROP ? Start : Drain;
+      end
+      Drain: begin
+        bank_done_o = !ram_valid_q && !word_valid_q;
+        if (bank_done_o) state_d = Wait;
+      end
+      default: state_d = Wait;
+    endcase
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Wait;
+      tile_q <= '0;
+      row_q <= '0;
+      depth_q <= 1'b0;
+    end else begin
+      state_q <= state_d;
+      if (bank_done_o) tile_q <= tile_q + 1'b1;
+      if (read_en_o) row_q <= row_q + 1'b1;
+      if (state_q == Wait) depth_q <= colour_output_i == gloss_pkg::TILE_OUTPUT_DROP;
+      else if (part_last) depth_q <= 1'b1;
+    end
+  end
+
+  // Addresses.
+  assign store_valid_o = store_valid_q;
+  assign store_address_o = {address_q, {UnitBits{1'b0}}};
+
+  always_ff @(posedge clk_i) begin
+    if (state_q == Start) begin
+      address_q <= part_address_i;
+      pitch_q <= part_pitch_i;
+      answer_q <= part_output == gloss_pkg::TILE_OUTPUT_ANSWER;
+    end else if (store_valid_q && store_ready_i) begin
+      address_q <= address_q + AddressBits'(pitch_q);
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) store_valid_q <= 1'b0;
+    else if (read_en_o && row_first && !answer_q) store_valid_q <= 1'b1;
+    else if (store_ready_i) store_valid_q <= 1'b0;
+  end
+
+  // Rows.
+  assign word_moves = !word_valid_q || out_ready;
+  assign word_clear = word_depth_q ? clear_depth_i : clear_colour_i;
+
+  always_ff @(posedge clk_i) begin
+    if (read_en_o) begin
+      ram_depth_q <= depth_q;
+      ram_answer_q <= answer_q;
+      ram_last_q <= row_last;
+    end
+    if (word_moves) begin
+      word_q <= ram_depth_q ? depth_i : colour_i;
+      word_mark_q <= ram_depth_q ? depth_mark_i : colour_mark_i;
+      word_depth_q <= ram_depth_q;
+      word_answer_q <= ram_answer_q;
+      word_last_q <= ram_last_q;
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      ram_valid_q <= 1'b0;
+      word_valid_q <= 1'b0;
+    end else begin
+      ram_valid_q <= read_en_o || (ram_valid_q && !word_moves);
+      word_valid_q <= word_moves ? ram_valid_q : 1'b1;
+    end
+  end
+
+  stream_register #(
+    .Width(Width + 2)
+  ) u_out (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(word_valid_q),
+    .ready_o(out_ready),
+    .data_i ({word_answer_q, word_last_q, word_mark_q == mark_i ? word_q : {PixelsPerClock{word_clear}}}),
+    .valid_o(out_valid),
+    .ready_i(out_answer ? response_ready_i : store_data_ready_i),
+    .data_o ({out_answer, out_last, out_word})
+  );
+
+  assign response_valid_o = out_valid && out_answer;
+  assign response_data_o = out_word;
+  assign row_answered_o = response_valid_o && response_ready_i && out_last;
+
+  assign store_data_valid_o = out_valid && !out_answer;
+  assign store_data_o = out_word;
+  assign store_data_last_o = out_last;
+
+endmodule
