@@ -30,7 +30,8 @@ static void set_projection(struct scene *scene, const struct view_options *optio
 	if (options->fov)
 		matrix_perspective(scene->projection, options->fov, aspect, near, far);
 	else
-		matrix_orthographic(scene->projection, MARGIN / fminf(aspect, 1), aspect, near, far);
+		matrix_orthographic(scene->projection, MARGIN / fminf(aspect, 1), aspect, near,
+				    far);
 	for (int row = 0; row < 2; row++)
 		for (int column = 0; column < 4; column++)
 			scene->projection[column * 4 + row] *= options->zoom;

@@ -173,6 +173,10 @@ static bool show_help(struct view_options *options, const char *value);
 
 /* ---- the list ---- */
 
+#define COLOUR_HINT "give #rrggbb, R,G,B or one number, 0 to 1"
+/* Starts a line of help under the line before. */
+#define NEXT "\n                       "
+
 static const struct view_option {
 	const char *name;
 	const char *argument;		/* NULL: takes none */
@@ -187,38 +191,35 @@ static const struct view_option {
 	  "give gouraud, adaptive, quadratic or flat", set_shading },
 	{ "material", "NAME", "a material of the list below", "see the list of gloss-view --help",
 	  set_material },
-	{ "ambient", "COLOUR", "reflectance of ambient light, instead of the material's",
-	  "give #rrggbb, R,G,B or one number, 0 to 1", set_ambient },
-	{ "diffuse", "COLOUR", "diffuse reflectance", "give #rrggbb, R,G,B or one number, 0 to 1",
-	  set_diffuse },
-	{ "specular", "COLOUR", "specular reflectance",
-	  "give #rrggbb, R,G,B or one number, 0 to 1", set_specular },
+	{ "ambient", "COLOUR", "ambient reflectance, instead of the material's", COLOUR_HINT,
+	  set_ambient },
+	{ "diffuse", "COLOUR", "diffuse reflectance", COLOUR_HINT, set_diffuse },
+	{ "specular", "COLOUR", "specular reflectance", COLOUR_HINT, set_specular },
 	{ "shininess", "N", "specular exponent", "give a number from 0 to 1000", set_shininess },
 	{ "light", "LIGHT", "a light, up to 8 times; see below",
 	  "give KIND:X,Y,Z[:SETTING=VALUE]..., at most 8 times; see gloss-view --help", set_light },
 	{ "two-sided", NULL, "draw back faces too, lit from behind", "", set_two_sided },
 	{ "smooth", NULL, "make smooth normals also where the file has its own", "", set_smooth },
-	{ "rotate", "X,Y,Z", "turn the mesh about its axes, degrees", "give three numbers of degrees",
-	  set_rotate },
+	{ "rotate", "X,Y,Z", "turn the mesh about its axes, degrees",
+	  "give three numbers of degrees", set_rotate },
 	{ "camera", "RIGHT,UP", "move the eye around the mesh, degrees",
 	  "give two numbers of degrees", set_camera },
 	{ "zoom", "FACTOR", "enlarge, 1 shows all of the mesh", "give a factor from 0.01 to 100",
 	  set_zoom },
 	{ "fov", "DEGREES", "angle of view from bottom to top, 30 if not given; 0: no perspective",
 	  "give 0, or degrees from 1 to 120", set_fov },
-	{ "background", "COLOUR", "colour where the mesh is not",
-	  "give #rrggbb, R,G,B or one number, 0 to 1", set_background },
+	{ "background", "COLOUR", "colour where the mesh is not", COLOUR_HINT, set_background },
 	{ "out", "FILE.png", "write the picture", "give the name of a file", set_out },
 	{ "turntable", "N", "write N numbered pictures of one turn, FILE-0000.png and so on",
 	  "give a number of frames from 1 to 9999", set_turntable },
 	{ "compare", "FILE.png",
-	  "write Gouraud, the chosen shading and per-pixel Phong side by side, and print how far\n"
-	  "\tthe first two are from the last",
+	  "write Gouraud, the chosen shading and per-pixel Phong side by side, and print"
+	  NEXT "how far the first two are from the last",
 	  "give the name of a file", set_compare },
 	{ "stats", NULL, "print what was drawn, and clocks where the board counts them", "",
 	  set_stats },
-	{ "window", NULL, "show the mesh; drag to turn, wheel to zoom, keys g a q f to shade, Esc to leave",
-	  "", set_window },
+	{ "window", NULL, "show the mesh; drag to turn, wheel to zoom, keys g a q f to shade," NEXT
+	  "Esc to leave", "", set_window },
 	{ "help", NULL, "print this and leave", "", show_help },
 	{ "version", NULL, "print the version and leave", "", show_version },
 };
@@ -229,21 +230,21 @@ static bool show_help(struct view_options *options, const char *value)
 {
 	(void)value;
 	puts("usage: gloss-view [OPTION]... MESH\n"
-	     "Draws a mesh on a Gloss board. MESH is an OBJ, PLY, 3DS, glTF or STL file, or a shape:\n"
-	     MESH_SHAPES ".\n");
+	     "Draws a mesh on a Gloss board. MESH is an OBJ, PLY, 3DS, glTF or STL file, or a\n"
+	     "shape: " MESH_SHAPES ".\n");
 	for (int i = 0; i < OPTIONS; i++) {
 		char name[40];
 
 		snprintf(name, sizeof(name), "--%s%s%s", list[i].name,
 			 list[i].argument ? " " : "", list[i].argument ? list[i].argument : "");
-		printf("  %s\n\t%s\n", name, list[i].help);
+		printf("  %-20s %s\n", name, list[i].help);
 	}
 	printf("\nA COLOUR is #rrggbb, R,G,B or one number for grey, 0 to 1.\n"
-	       "Materials: %s; without --material " DEFAULT_MATERIAL ".\n\n"
-	       "A LIGHT is direction:X,Y,Z or point:X,Y,Z or spot:X,Y,Z. X is to the right, Y up, Z towards\n"
-	       "the eye, from the middle of the mesh, whose radius is 1. Settings may follow:\n"
-	       "  :colour=COLOUR  :ambient=COLOUR  :attenuation=C,L,Q  :aim=X,Y,Z  :cutoff=DEGREES\n"
-	       "  :exponent=E\n",
+	       "Materials: %s.\nWithout --material it is " DEFAULT_MATERIAL ".\n\n"
+	       "A LIGHT is direction:X,Y,Z or point:X,Y,Z or spot:X,Y,Z. X is to the right, Y up,\n"
+	       "Z towards the eye, from the middle of the mesh, whose radius is 1. Settings may\n"
+	       "follow: :colour=COLOUR :ambient=COLOUR, for a point or spot :attenuation=C,L,Q,\n"
+	       "for a spot :aim=X,Y,Z :cutoff=DEGREES :exponent=E.\n",
 	       view_material_names());
 	options->done = true;
 	return true;

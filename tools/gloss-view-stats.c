@@ -31,8 +31,9 @@ void view_stats_print(const struct view *view)
 	       info.name, info.tile_size, info.tile_size, info.pixels_per_clock);
 	printf("picture    %dx%d, %" PRIu64 " pixels of the mesh, %s shading\n", view->scene.width,
 	       view->scene.height, visible, view_shading_name(view->options->shading));
-	printf("triangles  %" PRIu64 ": %" PRIu64 " culled, %" PRIu64 " clipped, %" PRIu64 " split\n",
-	       stats->triangles_in, stats->culled, stats->clipped, stats->split);
+	printf("triangles  %" PRIu64 ": %" PRIu64 " culled, %" PRIu64 " clipped, ",
+	       stats->triangles_in, stats->culled, stats->clipped);
+	printf("%" PRIu64 " split\n", stats->split);
 	printf("drawn      %" PRIu64 " flat, %" PRIu64 " linear, %" PRIu64 " second order\n",
 	       stats->flat, stats->linear, stats->second_order);
 	printf("stream     %" PRIu64 " bytes, %" PRIu64 " triangle records in %" PRIu64 " tiles\n",

@@ -12,7 +12,9 @@ static char *numbered(const char *path, int number)
 	size_t stem = dot && (!slash || dot > slash + 1) ? (size_t)(dot - path) : strlen(path);
 	char *name;
 
-	return asprintf(&name, "%.*s-%04d%s", (int)stem, path, number, path + stem) < 0 ? NULL : name;
+	if (asprintf(&name, "%.*s-%04d%s", (int)stem, path, number, path + stem) < 0)
+		return NULL;
+	return name;
 }
 
 static int write_frame(struct view *view, struct picture *picture, int number)

@@ -145,15 +145,16 @@ static void handle(struct window *window, const SDL_Event *event)
 
 static int redraw(struct window *window, struct view *view)
 {
+	enum accel_shading shading = window->options.shading;
 	char title[64];
 	int ret;
 
 	window->stale = false;
 	view_camera_set(view, 0);
-	ret = view_draw(view, window->options.shading, &window->picture);
+	ret = view_draw(view, shading, &window->picture);
 	if (ret != VIEW_OK)
 		return ret;
-	snprintf(title, sizeof(title), "gloss-view: %s", view_shading_name(window->options.shading));
+	snprintf(title, sizeof(title), "gloss-view: %s", view_shading_name(shading));
 	SDL_SetWindowTitle(window->window, title);
 	if (SDL_UpdateTexture(window->texture, NULL, window->picture.pixel,
 			      window->picture.width * (int)sizeof(*window->picture.pixel)) ||
@@ -163,7 +164,7 @@ static int redraw(struct window *window, struct view *view)
 	return VIEW_OK;
 }
 
-/* All events that are there are handled before the next picture: none queue up behind a slow board. */
+/* Handles all events that are there before the next picture: none wait for a slow board. */
 static int loop(struct window *window, struct view *view)
 {
 	SDL_Event event;

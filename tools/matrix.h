@@ -19,7 +19,7 @@ void matrix_rotate_z(float m[16], float degrees);
 void matrix_perspective(float m[16], float fov, float aspect, float near, float far);
 void matrix_orthographic(float m[16], float half_height, float aspect, float near, float far);
 
-/* The transposed inverse of the upper 3x3, column by column, for normals; zero if @m is singular. */
+/* For normals: the transposed inverse of the upper 3x3, column by column; 0 if @m is singular. */
 void matrix_normal(float n[9], const float m[16]);
 
 void matrix_transform(float out[4], const float m[16], const float point[3]);

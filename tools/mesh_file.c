@@ -6,21 +6,17 @@
 #include <assimp/scene.h>
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "mesh.h"
 
-__attribute__((format(printf, 2, 3)))
-static void say(char message[MESH_MESSAGE], const char *format, ...)
+static int refuse(char message[MESH_MESSAGE], int error, const char *what, const char *where,
+		  const char *hint)
 {
-	va_list arguments;
-
-	va_start(arguments, format);
-	vsnprintf(message, MESH_MESSAGE, format, arguments);
-	va_end(arguments);
+	snprintf(message, MESH_MESSAGE, "%s: %s: %s", what, where, hint);
+	return error;
 }
 
 /* assimp's words for why a file can not be read do not say that it is missing. */
@@ -28,19 +24,17 @@ static int check_file(const char *path, char message[MESH_MESSAGE])
 {
 	struct stat status;
 	FILE *file = fopen(path, "rb");
+	bool folder;
 
 	if (!file) {
-		int error = errno;
+		int error = -errno;
 
-		say(message, "can not open mesh: %s: %s", path, strerror(error));
-		return -error;
+		return refuse(message, error, "can not open mesh", path, strerror(-error));
 	}
-	if (!fstat(fileno(file), &status) && S_ISDIR(status.st_mode)) {
-		fclose(file);
-		say(message, "not a mesh: %s: this is a folder, give a file", path);
-		return -EISDIR;
-	}
+	folder = !fstat(fileno(file), &status) && S_ISDIR(status.st_mode);
 	fclose(file);
+	if (folder)
+		return refuse(message, -EISDIR, "not a mesh", path, "it is a folder, give a file");
 	return 0;
 }
 
@@ -53,18 +47,15 @@ static bool finite_vectors(const struct aiVector3D *vector, unsigned int count)
 }
 
 static int check_scene(const struct aiScene *scene, const char *path,
-			 char message[MESH_MESSAGE])
+		       char message[MESH_MESSAGE])
 {
 	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
 		const struct aiMesh *part = scene->mMeshes[i];
 
 		if (!finite_vectors(part->mVertices, part->mNumVertices) ||
-		    !finite_vectors(part->mNormals, part->mNumVertices)) {
-			say(message,
-			    "coordinates that are not numbers: %s: repair the file, it has NaN or infinity",
-			    path);
-			return -EINVAL;
-		}
+		    !finite_vectors(part->mNormals, part->mNumVertices))
+			return refuse(message, -EINVAL, "coordinates that are not numbers", path,
+				      "repair the file, it has NaN or infinity");
 	}
 	return 0;
 }
@@ -134,18 +125,12 @@ static int convert(const struct aiScene *scene, const char *path, struct mesh *m
 	uint64_t vertices, triangles;
 
 	count(scene, &vertices, &triangles);
-	if (!triangles) {
-		say(message, "no triangles: %s: give a mesh with faces", path);
-		return -EINVAL;
-	}
-	if (vertices > UINT32_MAX || triangles > UINT32_MAX / 3) {
-		say(message, "mesh too large: %s: at most %u triangles", path, UINT32_MAX / 3);
-		return -E2BIG;
-	}
-	if (mesh_new((uint32_t)vertices, (uint32_t)triangles, mesh)) {
-		say(message, "out of memory: %s: give a smaller mesh", path);
-		return -ENOMEM;
-	}
+	if (!triangles)
+		return refuse(message, -EINVAL, "no triangles", path, "give a mesh with faces");
+	if (vertices > UINT32_MAX || triangles > UINT32_MAX / 3)
+		return refuse(message, -E2BIG, "mesh too large", path, "give fewer triangles");
+	if (mesh_new((uint32_t)vertices, (uint32_t)triangles, mesh))
+		return refuse(message, -ENOMEM, "out of memory", path, "give a smaller mesh");
 	mesh->vertices = mesh->triangles = 0;
 	for (unsigned int i = 0; i < scene->mNumMeshes; i++)
 		append(mesh, scene->mMeshes[i]);
@@ -166,19 +151,16 @@ static int load_file(const char *path, bool smooth, struct mesh *mesh, char mess
 	if (ret)
 		return ret;
 	scene = import(path, smooth, 0);
-	if (!scene) {
-		say(message, "not a mesh: %s: give an OBJ, PLY, 3DS, glTF or STL file", path);
-		return -EINVAL;
-	}
+	if (!scene)
+		return refuse(message, -EINVAL, "not a mesh", path,
+			      "give an OBJ, PLY, 3DS, glTF or STL file");
 	ret = check_scene(scene, path, message);
 	aiReleaseImport(scene);
 	if (ret)
 		return ret;
 	scene = import(path, smooth, steps);
-	if (!scene) {
-		say(message, "no triangles: %s: give a mesh with faces", path);
-		return -EINVAL;
-	}
+	if (!scene)
+		return refuse(message, -EINVAL, "no triangles", path, "give a mesh with faces");
 	ret = convert(scene, path, mesh, message);
 	aiReleaseImport(scene);
 	return ret;
@@ -191,8 +173,8 @@ int mesh_load(const char *name, bool smooth, struct mesh *mesh, char message[MES
 	if (ret == -ENOENT)
 		return load_file(name, smooth, mesh, message);
 	if (ret == -EINVAL)
-		say(message, "no such shape: %s: there are " MESH_SHAPES, name);
-	else if (ret)
-		say(message, "out of memory: %s: give a smaller shape", name);
-	return ret;
+		return refuse(message, ret, "no such shape", name, "there are " MESH_SHAPES);
+	if (ret)
+		return refuse(message, ret, "out of memory", name, "give a smaller shape");
+	return 0;
 }

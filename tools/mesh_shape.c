@@ -91,7 +91,8 @@ static void quarter(struct mesh *mesh, struct middles *middles)
 	memset(middles->first, 0, mesh->vertices * sizeof(*middles->first));
 	middles->count = 0;
 	for (uint32_t i = 0; i < triangles; i++) {
-		uint32_t a = mesh->triangle[i][0], b = mesh->triangle[i][1], c = mesh->triangle[i][2];
+		const uint32_t *corner = mesh->triangle[i];
+		uint32_t a = corner[0], b = corner[1], c = corner[2];
 		uint32_t ab = middle_of(mesh, middles, a, b);
 		uint32_t bc = middle_of(mesh, middles, b, c);
 		uint32_t ca = middle_of(mesh, middles, c, a);

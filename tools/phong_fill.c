@@ -19,8 +19,8 @@ struct triangle {
 
 /* An edge function, positive to the right of the edge. */
 struct edge {
-	int64_t value, dx, dy;		/* at the first pixel centre, less @bias; from pixel to pixel */
-	int64_t bias;			/* 1 if a pixel on the edge is outside: not a top or left edge */
+	int64_t value, dx, dy;		/* at a pixel centre, less @bias; from pixel to pixel */
+	int64_t bias;			/* 1 if pixels on it are outside: not a top or left edge */
 };
 
 static float dot(const float a[3], const float b[3])
@@ -169,7 +169,7 @@ static uint32_t pack(const float light[3], uint32_t alpha)
 	return word;
 }
 
-/* Lights a pixel that passed the depth test; b1 and b2 are its weights of vertex 1 and 2 on screen. */
+/* Lights a pixel that passed the depth test; b1, b2: its weights of vertex 1 and 2 on screen. */
 static void draw_pixel(const struct phong_fill *fill, const struct triangle *t, float b1, float b2,
 		       size_t pixel)
 {
@@ -192,7 +192,9 @@ static void draw_pixel(const struct phong_fill *fill, const struct triangle *t, 
 		memcpy(fill->frame->light[pixel], light, sizeof(light));
 }
 
-static struct edge edge_init(const struct phong_vertex *a, const struct phong_vertex *b, int x, int y)
+/* The edge from @a to @b at pixel (@x, @y). */
+static struct edge edge_init(const struct phong_vertex *a, const struct phong_vertex *b, int x,
+			     int y)
 {
 	struct edge edge = { .dx = (a->y - b->y) * SNAP, .dy = (b->x - a->x) * SNAP };
 	bool top_left = b->y < a->y || (b->y == a->y && b->x > a->x);

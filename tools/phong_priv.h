@@ -6,7 +6,7 @@
 
 struct phong_vertex {
 	float eye[3], normal[3];
-	double clip[4];			/* so exact that snapping is to the same point as the library's */
+	double clip[4];			/* as exact as the library's: both snap to one point */
 	/* From phong_fill_project: */
 	int64_t x, y;			/* window, 1/16 pixel */
 	float z, inverse_w;

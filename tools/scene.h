@@ -17,7 +17,7 @@ struct scene {
 	struct accel_light light[ACCEL_LIGHTS];
 };
 
-/* A scene without a mesh: identity matrices, one light from the viewer, grey plastic, back faces culled. */
+/* No mesh, identity matrices, one light from the viewer, grey plastic, back faces culled. */
 void scene_init(struct scene *scene, int width, int height);
 
 /* Lights and materials in short: a colour without alpha, factors of white. */

@@ -11,7 +11,7 @@ VIEW_OBJS := $(VIEW_SOURCES:%.c=$(BUILD)/%.o)
 VIEW_MAIN := $(BUILD)/tools/gloss-view.o
 
 VIEW_PACKAGES := assimp libpng sdl2
-VIEW_CFLAGS = $(shell pkg-config --cflags $(VIEW_PACKAGES)) -D_GNU_SOURCE -Itools
+VIEW_CFLAGS := $$(pkg-config --cflags $(VIEW_PACKAGES)) -D_GNU_SOURCE -Itools
 SCENE_LIBS := -lassimp -lpng $(ACCEL_LIBS)
 
 $(SCENE_OBJS) $(VIEW_OBJS) $(VIEW_MAIN): $(BUILD)/%.o: %.c
