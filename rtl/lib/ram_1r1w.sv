@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Memory with one read and one write port that infers block RAM: the word at read_addr_i is out one clock after
-// read_en_i and stays until the next read. Reading the address that is being written gives either word.
+// read_en_i and stays until the next read. Reading the address that is being written gives any word; the attribute says
+// so to yosys, which else builds a bypass of flip-flops around block RAM that has no rule for it.
 module ram_1r1w #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 256
@@ -16,6 +17,7 @@ module ram_1r1w #(
   output logic [Width-1:0]         read_data_o
 );
 
+  (* no_rw_check *)
   logic [Width-1:0] memory [Depth];
 
   always_ff @(posedge clk_i) begin
