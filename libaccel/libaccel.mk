@@ -44,7 +44,7 @@ $(BUILD)/libaccel.a: $(ACCEL_OBJS) libaccel/libaccel.map
 $(BUILD)/libaccel/parts.a: $(ACCEL_OBJS)
 	$(call quiet,AR,$@)
 	$(Q)rm -f $@
-	$(Q)$(AR) rcs $@ $^
+	$(Q)$(AR) qcs $@ $^
 
 -include $(ACCEL_OBJS:.o=.d)
 
@@ -101,3 +101,7 @@ run-test_%: $(BUILD)/tests/unit/test_%
 	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) $<
 
 -include $(wildcard $(BUILD)/tests/unit/*.d)
+
+ACCEL_UNIT_TESTS := test_range test_option test_engine test_device test_buffer test_target \
+	test_state test_stream test_fence
+UNIT_TESTS += $(ACCEL_UNIT_TESTS)

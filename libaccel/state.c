@@ -178,10 +178,15 @@ int accel_state_set_material(struct accel_state *state, const struct accel_mater
 	return 0;
 }
 
-static bool state_attenuation_valid(const float attenuation[3])
+/* A directional light has none. */
+static bool state_attenuation_valid(const struct accel_light *light)
 {
-	return state_finite(attenuation, 3) && attenuation[0] >= 0 && attenuation[1] >= 0 &&
-	       attenuation[2] >= 0 && attenuation[0] + attenuation[1] + attenuation[2] > 0;
+	const float *factor = light->attenuation;
+
+	if (light->position[3] == 0)
+		return true;
+	return state_finite(factor, 3) && factor[0] >= 0 && factor[1] >= 0 && factor[2] >= 0 &&
+	       factor[0] + factor[1] + factor[2] > 0;
 }
 
 static bool state_spot_valid(const struct accel_light *light)
@@ -198,7 +203,7 @@ int accel_state_set_light(struct accel_state *state, int index, const struct acc
 		return -EINVAL;
 	if (!state_finite(light->position, 4) || !state_finite(light->ambient, 4) ||
 	    !state_finite(light->diffuse, 4) || !state_finite(light->specular, 4) ||
-	    !state_attenuation_valid(light->attenuation) || !state_spot_valid(light))
+	    !state_attenuation_valid(light) || !state_spot_valid(light))
 		return -EINVAL;
 	state->light[index] = *light;
 	return 0;

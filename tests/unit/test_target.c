@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+#include "accel_priv.h"
+#include "accel_test.h"
+
+struct fixture {
+	struct messages messages;
+	struct accel_device *device;
+};
+
+static int setup(void **state)
+{
+	static struct fixture fixture;
+
+	fixture.device = device_open("model:", &fixture.messages);
+	*state = &fixture;
+	return 0;
+}
+
+static int teardown(void **state)
+{
+	struct fixture *fixture = *state;
+
+	accel_device_free(fixture->device);
+	return 0;
+}
+
+static struct accel_target *target_of(struct fixture *fixture, int width, int height)
+{
+	struct accel_target *target = NULL;
+
+	assert_int_equal(accel_target_new(fixture->device, width, height, &target), 0);
+	return target;
+}
+
+static void a_side_out_of_range_is_refused(void **state)
+{
+	static const int sides[] = { 0, -1, ACCEL_TARGET_SIZE_MAX + 1, INT32_MAX, INT32_MIN };
+	struct fixture *fixture = *state;
+	struct accel_target *target;
+	size_t i;
+
+	for (i = 0; i < sizeof(sides) / sizeof(sides[0]); i++) {
+		assert_int_equal(accel_target_new(fixture->device, sides[i], 10, &target), -EINVAL);
+		assert_int_equal(accel_target_new(fixture->device, 10, sides[i], &target), -EINVAL);
+	}
+	assert_message(&fixture->messages, "a side has 1 to 2048");
+}
+
+static void surfaces_are_padded_to_whole_tiles(void **state)
+{
+	static const int sides[][2] = { { 1, 64 }, { 63, 64 }, { 64, 64 }, { 65, 128 },
+					{ ACCEL_TARGET_SIZE_MAX, ACCEL_TARGET_SIZE_MAX } };
+	struct accel_target *target;
+	size_t i;
+
+	for (i = 0; i < sizeof(sides) / sizeof(sides[0]); i++) {
+		target = target_of(*state, sides[i][0], sides[i][0]);
+		assert_int_equal(target->pitch, sides[i][1] * 4);
+		assert_int_equal(target->rows, sides[i][1]);
+		assert_int_equal(target->colour->size, sides[i][1] * sides[i][1] * 4);
+		assert_int_equal(target->depth->size, target->colour->size);
+		accel_target_free(target);
+	}
+}
+
+static uint32_t pixel_at(uint32_t x, uint32_t y, uint32_t of)
+{
+	return (x * 2654435761u) ^ (y * 40503u) ^ of;
+}
+
+static void fill(struct accel_target *target, struct accel_buffer *buffer, uint32_t of)
+{
+	uint32_t x, y, row[ACCEL_TARGET_SIZE_MAX];
+
+	for (y = 0; y < target->rows; y++) {
+		for (x = 0; x < target->pitch / 4; x++)
+			row[x] = pixel_at(x, y, of);
+		assert_int_equal(accel_buffer_write(buffer, (uint64_t)y * target->pitch, row,
+						    target->pitch), 0);
+	}
+}
+
+/* Reads with @gap bytes between rows, which must stay as they are. */
+static void check_read(struct accel_target *target, size_t gap, uint32_t of,
+		       int (*read)(struct accel_target *, void *, size_t))
+{
+	uint32_t x, y, width = (uint32_t)target->width, height = (uint32_t)target->height;
+	size_t pitch = width * 4 + gap, i;
+	uint8_t *pixels = malloc(pitch * height);
+
+	memset(pixels, 0xee, pitch * height);
+	assert_int_equal(read(target, pixels, pitch), 0);
+	for (y = 0; y < height; y++) {
+		for (x = 0; x < width; x++) {
+			uint32_t got;
+
+			memcpy(&got, pixels + y * pitch + x * 4, 4);
+			assert_int_equal(got, pixel_at(x, y, of));
+		}
+		for (i = width * 4; i < pitch; i++)
+			assert_int_equal(pixels[y * pitch + i], 0xee);
+	}
+	free(pixels);
+}
+
+static void every_pixel_is_read_at_its_place(void **state)
+{
+	static const struct {
+		int width, height;
+		size_t gap;
+	} size[] = { { 1, 1, 0 }, { 1, 1, 4 }, { 65, 3, 8 }, { 640, 480, 0 }, { 300, 130, 20 },
+		     { ACCEL_TARGET_SIZE_MAX, 33, 4 }, { 3, ACCEL_TARGET_SIZE_MAX, 0 } };
+	struct accel_target *target;
+	size_t i;
+
+	for (i = 0; i < sizeof(size) / sizeof(size[0]); i++) {
+		target = target_of(*state, size[i].width, size[i].height);
+		fill(target, target->colour, 1);
+		fill(target, target->depth, 2);
+		check_read(target, size[i].gap, 1, accel_target_read_colour);
+		check_read(target, size[i].gap, 2, accel_target_read_depth);
+		accel_target_free(target);
+	}
+}
+
+static void a_new_target_is_zero(void **state)
+{
+	struct accel_target *target = target_of(*state, 65, 65);
+	uint32_t pixels[65 * 65], i;
+
+	fill(target, target->colour, 1);
+	fill(target, target->depth, 1);
+	accel_target_free(target);
+	target = target_of(*state, 65, 65);
+	assert_int_equal(accel_target_read_colour(target, pixels, 65 * 4), 0);
+	for (i = 0; i < 65 * 65; i++)
+		assert_int_equal(pixels[i], 0);
+	assert_int_equal(accel_target_read_depth(target, pixels, 65 * 4), 0);
+	for (i = 0; i < 65 * 65; i++)
+		assert_int_equal(pixels[i], 0);
+	accel_target_free(target);
+}
+
+static void a_pitch_too_small_or_between_words_is_refused(void **state)
+{
+	struct fixture *fixture = *state;
+	struct accel_target *target = target_of(fixture, 10, 10);
+	uint32_t pixels[11 * 10];
+
+	assert_int_equal(accel_target_read_colour(target, pixels, 36), -EINVAL);
+	assert_int_equal(accel_target_read_depth(target, pixels, 0), -EINVAL);
+	assert_int_equal(accel_target_read_colour(target, pixels, 42), -EINVAL);
+	assert_message(&fixture->messages, "a pitch of 42 bytes for rows of 10 pixels");
+	assert_int_equal(accel_target_read_colour(target, pixels, 44), 0);
+	accel_target_free(target);
+}
+
+static void a_target_that_does_not_fit_leaves_no_memory_taken(void **state)
+{
+	struct accel_target *target, *half;
+	struct messages messages;
+	struct accel_device *device;
+
+	(void)state;
+	device = device_open("model:memory=32768", &messages);
+	assert_int_equal(accel_target_new(device, 128, 64, &target), -ENOMEM);
+	assert_int_equal(accel_target_new(device, 64, 64, &half), 0);
+	assert_int_equal(accel_target_new(device, 1, 1, &target), -ENOMEM);
+	accel_target_free(half);
+	assert_int_equal(accel_target_new(device, 64, 64, &half), 0);
+	accel_target_free(half);
+	accel_device_free(device);
+}
+
+#define target_test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		target_test(a_side_out_of_range_is_refused),
+		target_test(surfaces_are_padded_to_whole_tiles),
+		target_test(every_pixel_is_read_at_its_place),
+		target_test(a_new_target_is_zero),
+		target_test(a_pitch_too_small_or_between_words_is_refused),
+		cmocka_unit_test(a_target_that_does_not_fit_leaves_no_memory_taken),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
