@@ -97,20 +97,10 @@ static void run_scissor(struct model *model, const uint32_t *packet)
 
 static void run_triangle(struct model *model, const uint32_t *packet)
 {
-	uint32_t colour[MODEL_TILE_MAX], depth[MODEL_TILE_MAX];
 	struct model_triangle triangle;
-	struct model_walk walk;
-	struct model_span span;
-	int anchor;
 
 	model_triangle_unpack(packet, model->tile_size, &triangle);
-	anchor = model_raster_anchor(&triangle, model->tile_size);
-	model_raster_begin(&walk, &triangle);
-	while (model_raster_next(&walk, &model->state.scissor, &span)) {
-		model_shade_span(&triangle, anchor, &span, colour, depth);
-		model_fragment_span(model, &span, colour, depth);
-	}
-	model->counters.triangles++;
+	model_draw_triangle(model, &triangle);
 }
 
 /* Executes a packet that was checked. NULL: it does nothing. */

@@ -1,52 +1,44 @@
 // SPDX-License-Identifier: MIT
 /* Depth test and masks. Pixels arrive clipped by the scissor: all of them are covered. */
-#include "model.h"
+#include "fragment.h"
 
-#define DEPTH_BITS 0xffffffu
+#define SIGN (1u << 31)
+#define RANGE (MODEL_DEPTH_BITS + 1)	/* more than any difference of two depths */
 
-static bool compare(enum gloss_compare func, uint32_t depth, uint32_t stored)
+/* new - stored is -RANGE < d < RANGE. */
+static const struct {
+	uint32_t bias, limit;
+} interval[] = {
+	[GLOSS_COMPARE_NEVER] = { 0, 0 },
+	[GLOSS_COMPARE_LESS] = { RANGE, RANGE },
+	[GLOSS_COMPARE_EQUAL] = { 0, 1 },
+	[GLOSS_COMPARE_LEQUAL] = { RANGE, RANGE + 1 },
+	[GLOSS_COMPARE_GREATER] = { ~0u, RANGE },
+	[GLOSS_COMPARE_NOTEQUAL] = { ~0u, ~0u },
+	[GLOSS_COMPARE_GEQUAL] = { 0, RANGE },
+	[GLOSS_COMPARE_ALWAYS] = { RANGE, 2 * RANGE },
+};
+
+struct model_test model_fragment_test(const struct model_state *state)
 {
-	switch (func) {
-	case GLOSS_COMPARE_NEVER:
-		return false;
-	case GLOSS_COMPARE_LESS:
-		return depth < stored;
-	case GLOSS_COMPARE_EQUAL:
-		return depth == stored;
-	case GLOSS_COMPARE_LEQUAL:
-		return depth <= stored;
-	case GLOSS_COMPARE_GREATER:
-		return depth > stored;
-	case GLOSS_COMPARE_NOTEQUAL:
-		return depth != stored;
-	case GLOSS_COMPARE_GEQUAL:
-		return depth >= stored;
-	default:
-		return true;
-	}
-}
-
-static uint32_t merge(uint32_t old, uint32_t new, uint32_t mask)
-{
-	return (old & ~mask) | (new & mask);
+	return (struct model_test){
+		.bias = interval[state->depth_func].bias ^ SIGN,
+		.limit = (int32_t)(interval[state->depth_func].limit ^ SIGN),
+		.depth_mask = state->depth_write ? MODEL_DEPTH_BITS : 0,
+		.colour_mask = state->colour_mask,
+	};
 }
 
 void model_fragment_span(struct model *model, const struct model_span *span,
 			 const uint32_t *colour, const uint32_t *depth)
 {
-	const struct model_state *state = &model->state;
-	uint32_t depth_mask = state->depth_write ? DEPTH_BITS : 0;
-	int first = span->y * model->tile_size + span->x0;
-	uint32_t *stored_colour = model->tile.colour + first;
-	uint32_t *stored_depth = model->tile.depth + first;
-	int count = span->x1 - span->x0;
+	const struct model_test test = model_fragment_test(&model->state);
+	int first = span->y * model->tile_size + span->x0, count = span->x1 - span->x0;
 
+	for (int n = 0; n < count; n++)
+		model->counters.passed -=
+			model_fragment_pixel(&test, ~0u, colour[n], depth[n],
+					     &model->tile.colour[first + n],
+					     &model->tile.depth[first + n]);
 	model->counters.covered += (uint32_t)count;
-	for (int n = 0; n < count; n++) {
-		if (!compare(state->depth_func, depth[n], stored_depth[n] & DEPTH_BITS))
-			continue;
-		model->counters.passed++;
-		stored_depth[n] = merge(stored_depth[n], depth[n], depth_mask);
-		stored_colour[n] = merge(stored_colour[n], colour[n], state->colour_mask);
-	}
 }

@@ -7,8 +7,9 @@
  *   command.c   walks the stream and executes it, packet by packet
  *     command_check.c   is the packet right, and if not, at which word
  *     triangle.c        a TRIANGLE's payload in its many forms to one struct
+ *   draw.c      takes a triangle through the three stages below
  *   raster.c    edges to spans of pixels
- *   shade.c     surfaces to colour and depth of a span
+ *   shade.c     surfaces to colour and depth
  *   fragment.c  depth test, masks, into the tile
  *   tile.c      the tile's pixels: clear, load, store, answer
  *   memory.c    slots: rights, bounds, words
@@ -27,7 +28,8 @@
 
 #define MODEL_TILE_MAX 64
 
-/* Pixels that shade and fragment work on at once; they may touch that many past a span. */
+/* Rows or pixels that are worked out side by side; arrays may be touched up to so many elements
+ * past what is asked for. */
 #define MODEL_LANES 8
 
 /* One edge; the units are those of group edges_wide. */
@@ -110,6 +112,16 @@ struct model_walk {
 	int row;			/* the next one, counted from the triangle's first */
 };
 
+/* All rows of a triangle that have pixels. */
+struct model_spans {
+	int rows;
+	int longest;			/* pixels of the longest row */
+	int blocks, pixels;		/* of all rows; a block is MODEL_LANES pixels or the rest of a row */
+	int32_t y[MODEL_TILE_MAX + MODEL_LANES];
+	int32_t x0[MODEL_TILE_MAX + MODEL_LANES];
+	int32_t count[MODEL_TILE_MAX + MODEL_LANES];
+};
+
 /* ---- command.c ---- */
 
 /*
@@ -141,6 +153,11 @@ enum gloss_fault model_command_check(const struct model *model, uint32_t at, uin
 /* @packet is a checked TRIANGLE from its header on. */
 void model_triangle_unpack(const uint32_t *packet, int tile_size, struct model_triangle *triangle);
 
+/* ---- draw.c ---- */
+
+/* Draws @triangle in the open tile and counts it and its pixels. */
+void model_draw_triangle(struct model *model, const struct model_triangle *triangle);
+
 /* ---- raster.c ---- */
 
 /* @triangle must live as long as the walk. */
@@ -148,10 +165,13 @@ void model_raster_begin(struct model_walk *walk, const struct model_triangle *tr
 /* The next row with pixels inside @scissor; false: there is none. */
 bool model_raster_next(struct model_walk *walk, const struct model_scissor *scissor,
 		       struct model_span *span);
+/* All rows there are; past them is MODEL_LANES times row 0, so that lanes need not look. */
+void model_raster_spans(const struct model_triangle *triangle, const struct model_scissor *scissor,
+			struct model_spans *spans);
 /* Column at which the triangle's coefficients hold; the row is first_row. */
 int model_raster_anchor(const struct model_triangle *triangle, int tile_size);
 
-/* ---- shade.c ---- */
+/* ---- shade.c, fragment.c: a span at a time, for the benches; a triangle goes through draw.c ---- */
 
 /*
  * Colour as in a colour surface's word and depth in 24 bits of each pixel of
@@ -160,8 +180,6 @@ int model_raster_anchor(const struct model_triangle *triangle, int tile_size);
  */
 void model_shade_span(const struct model_triangle *triangle, int anchor_x,
 		      const struct model_span *span, uint32_t *colour, uint32_t *depth);
-
-/* ---- fragment.c ---- */
 
 /*
  * Tests and merges a span into the open tile and counts its pixels. @colour and

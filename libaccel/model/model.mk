@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The bit-exact model: MODEL_OBJS go into libaccel, the benches and the tests.
 
-MODEL_SOURCES := $(addprefix libaccel/model/, \
-	command.c command_check.c triangle.c raster.c shade.c fragment.c tile.c memory.c)
+MODEL_SOURCES := $(addprefix libaccel/model/, command.c command_check.c triangle.c draw.c \
+	raster.c shade.c fragment.c tile.c memory.c)
 MODEL_OBJS := $(MODEL_SOURCES:%.c=$(BUILD)/%.o)
 
 $(BUILD)/libaccel/model/%.o: libaccel/model/%.c
@@ -10,4 +10,37 @@ $(BUILD)/libaccel/model/%.o: libaccel/model/%.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -fPIC -MMD -MP -c $< -o $@
 
--include $(MODEL_OBJS:.o=.d)
+# Random jobs, for whoever compares engines.
+STREAM_RANDOM_SOURCES := $(addprefix tests/stream/, stream_random.c stream_random_triangle.c \
+	stream_random_damage.c)
+STREAM_RANDOM_OBJS := $(STREAM_RANDOM_SOURCES:%.c=$(BUILD)/%.o)
+
+$(STREAM_RANDOM_OBJS): $(BUILD)/%.o: %.c
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c $< -o $@
+
+-include $(MODEL_OBJS:.o=.d) $(STREAM_RANDOM_OBJS:.o=.d)
+
+# Unit tests; those in C also once more with everything they consist of under sanitizers.
+MODEL_TESTS := test_model_draw
+MODEL_TEST_SOURCES := tests/unit/reference.c
+
+$(BUILD)/tests/unit/test_model_%: tests/unit/test_model_%.c $(MODEL_TEST_SOURCES) \
+		$(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/stream $(CFLAGS) -MMD -MP -MF $@.d $< \
+		$(MODEL_TEST_SOURCES) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS) -lcmocka -o $@
+
+# The simulator's own test would build simulators anew.
+SANITIZE_TESTS = $(filter-out test_transport_sim_core,$(MODEL_TESTS) $(ACCEL_UNIT_TESTS))
+SANITIZE := -g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+
+.PHONY: unit-sanitize
+unit-sanitize: ## unit tests of library and model under ASan and UBSan
+	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' \
+		$(SANITIZE_TESTS:%=run-%)
+
+UNIT_TESTS += $(MODEL_TESTS)
+CHECKS += unit-sanitize

@@ -10,14 +10,14 @@
  * reduced by it, unsigned. Any values are therefore legal; only those a division
  * can give mean anything.
  */
-#include "model.h"
+#include "lanes.h"
 
-static int32_t sign13(uint32_t x)
+MODEL_INLINE int32_t sign13(uint32_t x)
 {
 	return (int32_t)(x << 19) >> 19;
 }
 
-static void edge_step(struct model_edge *edge)
+MODEL_INLINE void edge_step(struct model_edge *edge)
 {
 	uint32_t r = (edge->r + edge->m) & 0xffff;
 	uint32_t carry = r >= edge->dy;
@@ -26,16 +26,8 @@ static void edge_step(struct model_edge *edge)
 	edge->x = sign13((uint32_t)edge->x + (uint32_t)edge->step + carry);
 }
 
-void model_raster_begin(struct model_walk *walk, const struct model_triangle *triangle)
-{
-	walk->triangle = triangle;
-	walk->left = triangle->left;
-	walk->right = triangle->right;
-	walk->row = 0;
-}
-
 /* From the row before to walk->row. */
-static void walk_step(struct model_walk *walk)
+MODEL_INLINE void walk_step(struct model_walk *walk)
 {
 	const struct model_triangle *triangle = walk->triangle;
 
@@ -49,8 +41,8 @@ static void walk_step(struct model_walk *walk)
 		walk->left = triangle->middle;
 }
 
-bool model_raster_next(struct model_walk *walk, const struct model_scissor *scissor,
-		       struct model_span *span)
+MODEL_INLINE bool walk_next(struct model_walk *walk, const struct model_scissor *scissor,
+			    struct model_span *span)
 {
 	while (walk->row <= walk->triangle->last_row) {
 		if (walk->row)
@@ -62,6 +54,46 @@ bool model_raster_next(struct model_walk *walk, const struct model_scissor *scis
 			return true;
 	}
 	return false;
+}
+
+void model_raster_begin(struct model_walk *walk, const struct model_triangle *triangle)
+{
+	walk->triangle = triangle;
+	walk->left = triangle->left;
+	walk->right = triangle->right;
+	walk->row = 0;
+}
+
+bool model_raster_next(struct model_walk *walk, const struct model_scissor *scissor,
+		       struct model_span *span)
+{
+	return walk_next(walk, scissor, span);
+}
+
+void model_raster_spans(const struct model_triangle *triangle, const struct model_scissor *scissor,
+			struct model_spans *spans)
+{
+	struct model_walk walk;
+	struct model_span span;
+	int rows = 0, longest = 0, blocks = 0, pixels = 0;
+
+	model_raster_begin(&walk, triangle);
+	for (; walk_next(&walk, scissor, &span); rows++) {
+		int count = span.x1 - span.x0;
+
+		spans->y[rows] = span.y;
+		spans->x0[rows] = span.x0;
+		spans->count[rows] = count;
+		longest = count > longest ? count : longest;
+		blocks += model_lanes(count) / MODEL_LANES;
+		pixels += count;
+	}
+	for (int n = rows; n < rows + MODEL_LANES; n++)
+		spans->y[n] = spans->x0[n] = spans->count[n] = 0;
+	spans->rows = rows;
+	spans->longest = longest;
+	spans->blocks = blocks;
+	spans->pixels = pixels;
 }
 
 int model_raster_anchor(const struct model_triangle *triangle, int tile_size)

@@ -1,45 +1,90 @@
 // SPDX-License-Identifier: MIT
 /*
  * Surfaces to pixels, in closed form: the core steps from pixel to pixel with
- * additions, and in wrapping arithmetic both give the same bits.
+ * additions, and in wrapping arithmetic both give the same bits. Multiplying
+ * lets rows, and the pixels of a row, be worked out side by side.
  */
-#include "model.h"
+#include "shade.h"
 
-/* u(u-1)/2 of any pixel offset, exact before it wraps. */
-static uint32_t pairs(int32_t u)
+/* n(n-1)/2: one of the factors is even, so nothing is lost. */
+MODEL_INLINE uint32_t pairs(int32_t n)
 {
-	return (uint32_t)(u * (u - 1) / 2);
+	return (uint32_t)((n * (n - 1)) >> 1);
 }
 
-static uint32_t channel(const struct model_surface *s, int32_t u, int32_t v)
+MODEL_INLINE void begin_channel(struct model_channel *restrict channel,
+				const struct model_surface *surface,
+				const struct model_spans *spans, int anchor_x, int first_row)
 {
-	uint32_t value = s->i + (uint32_t)u * s->dx + pairs(u) * s->dxx + (uint32_t)v * s->dy +
-			 pairs(v) * s->dyy + (uint32_t)(u * v) * s->dxy;
-	int32_t level = (int32_t)value >> GLOSS_COLOUR_FRACTION;
+	const struct model_surface s = *surface;
+	int rows = model_lanes(spans->rows), pixels = model_lanes(spans->longest);
 
-	return level < 0 ? 0 : level > 255 ? 255 : (uint32_t)level;
+	for (int k = 0; k < rows; k++) {
+		int32_t u = spans->x0[k] - anchor_x, v = spans->y[k] - first_row;
+		uint32_t dx = s.dx + (uint32_t)v * s.dxy;
+
+		channel->i[k] = s.i + (uint32_t)v * s.dy + pairs(v) * s.dyy + (uint32_t)u * dx +
+				pairs(u) * s.dxx;
+		channel->dx[k] = dx + (uint32_t)u * s.dxx;
+	}
+	for (int n = 0; n < pixels; n++)
+		channel->bend[n] = pairs(n) * s.dxx;
 }
 
-static uint32_t plane(const struct model_plane *p, int32_t u, int32_t v)
+/* The low bits of a negative u times dx go below zero: they borrow from z. */
+MODEL_INLINE void begin_depth(struct model_shading *restrict shading,
+			      const struct model_plane *plane, const struct model_spans *spans,
+			      int anchor_x, int first_row)
 {
-	uint64_t value = p->z + (uint64_t)(int64_t)u * p->dx + (uint64_t)(int64_t)v * p->dy;
-	int32_t level = (int32_t)((int64_t)(value << 24) >> (24 + GLOSS_DEPTH_FRACTION));
+	uint32_t z = (uint32_t)(plane->z >> 8), z_low = plane->z & 0xff;
+	uint32_t dx = (uint32_t)(plane->dx >> 8), dx_low = plane->dx & 0xff;
+	uint32_t dy = (uint32_t)(plane->dy >> 8), dy_low = plane->dy & 0xff;
+	int rows = model_lanes(spans->rows), pixels = model_lanes(spans->longest);
 
-	return level < 0 ? 0 : level > 0xffffff ? 0xffffff : (uint32_t)level;
+	for (int k = 0; k < rows; k++) {
+		uint32_t u = (uint32_t)(spans->x0[k] - anchor_x);
+		uint32_t v = (uint32_t)(spans->y[k] - first_row);
+		uint32_t low = z_low + u * dx_low + v * dy_low;
+
+		shading->z[k] = z + u * dx + v * dy + (uint32_t)((int32_t)low >> 8);
+		shading->z_low[k] = low & 0xff;
+	}
+	for (int n = 0; n < pixels; n++) {
+		shading->rise[n] = (uint32_t)n * dx;
+		shading->rise_low[n] = (uint32_t)n * dx_low;
+	}
 }
 
+MODEL_CLONES
+void model_shade_begin(struct model_shading *shading, const struct model_triangle *t,
+		       int anchor_x, const struct model_spans *spans)
+{
+	begin_channel(&shading->red, &t->red, spans, anchor_x, t->first_row);
+	begin_channel(&shading->green, &t->green, spans, anchor_x, t->first_row);
+	begin_channel(&shading->blue, &t->blue, spans, anchor_x, t->first_row);
+	begin_depth(shading, &t->depth, spans, anchor_x, t->first_row);
+	shading->alpha_constant =
+		!(t->alpha.dx | t->alpha.dy | t->alpha.dxx | t->alpha.dxy | t->alpha.dyy);
+	shading->alpha_word = model_shade_level(t->alpha.i) << 24;
+	if (!shading->alpha_constant)
+		begin_channel(&shading->alpha, &t->alpha, spans, anchor_x, t->first_row);
+}
+
+MODEL_CLONES
 void model_shade_span(const struct model_triangle *triangle, int anchor_x,
-		      const struct model_span *span, uint32_t *colour, uint32_t *depth)
+		      const struct model_span *span, uint32_t *restrict colour,
+		      uint32_t *restrict depth)
 {
-	int32_t v = span->y - triangle->first_row;
+	int count = span->x1 - span->x0;
+	struct model_spans spans = { .rows = 1, .longest = count, .y = { span->y },
+				     .x0 = { span->x0 }, .count = { count } };
+	struct model_shading shading;
+	struct model_row row;
 
-	for (int x = span->x0; x < span->x1; x++) {
-		int32_t u = x - anchor_x;
-
-		colour[x - span->x0] = channel(&triangle->red, u, v) |
-				       channel(&triangle->green, u, v) << 8 |
-				       channel(&triangle->blue, u, v) << 16 |
-				       channel(&triangle->alpha, u, v) << 24;
-		depth[x - span->x0] = plane(&triangle->depth, u, v);
+	model_shade_begin(&shading, triangle, anchor_x, &spans);
+	row = model_shade_row(&shading, 0);
+	for (int n = 0; n < count; n++) {
+		colour[n] = model_shade_colour(&shading, &row, n, shading.alpha_constant);
+		depth[n] = model_shade_depth(&shading, &row, n);
 	}
 }
