@@ -116,7 +116,7 @@ struct model_walk {
 struct model_spans {
 	int rows;
 	int longest;			/* pixels of the longest row */
-	int blocks, pixels;		/* of all rows; a block is MODEL_LANES pixels or the rest of a row */
+	int pixels, blocks;		/* of all rows; MODEL_LANES pixels, or the rest of a row */
 	int32_t y[MODEL_TILE_MAX + MODEL_LANES];
 	int32_t x0[MODEL_TILE_MAX + MODEL_LANES];
 	int32_t count[MODEL_TILE_MAX + MODEL_LANES];
@@ -171,7 +171,7 @@ void model_raster_spans(const struct model_triangle *triangle, const struct mode
 /* Column at which the triangle's coefficients hold; the row is first_row. */
 int model_raster_anchor(const struct model_triangle *triangle, int tile_size);
 
-/* ---- shade.c, fragment.c: a span at a time, for the benches; a triangle goes through draw.c ---- */
+/* ---- shade.c and fragment.c, a span at a time: for the benches; draw.c takes triangles ---- */
 
 /*
  * Colour as in a colour surface's word and depth in 24 bits of each pixel of

@@ -23,7 +23,7 @@ $(STREAM_RANDOM_OBJS): $(BUILD)/%.o: %.c
 -include $(MODEL_OBJS:.o=.d) $(STREAM_RANDOM_OBJS:.o=.d)
 
 # Unit tests; those in C also once more with everything they consist of under sanitizers.
-MODEL_TESTS := test_model_draw
+MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
 MODEL_TEST_SOURCES := tests/unit/reference.c
 
 $(BUILD)/tests/unit/test_model_%: tests/unit/test_model_%.c $(MODEL_TEST_SOURCES) \

@@ -55,9 +55,10 @@ MODEL_INLINE uint32_t model_shade_colour(const struct model_shading *s, const st
 					 int n, bool alpha_constant)
 {
 	uint32_t u = (uint32_t)n;
-	uint32_t colour = model_shade_level(row->red + u * row->red_dx + s->red.bend[n]) |
-			  model_shade_level(row->green + u * row->green_dx + s->green.bend[n]) << 8 |
-			  model_shade_level(row->blue + u * row->blue_dx + s->blue.bend[n]) << 16;
+	uint32_t red = model_shade_level(row->red + u * row->red_dx + s->red.bend[n]);
+	uint32_t green = model_shade_level(row->green + u * row->green_dx + s->green.bend[n]);
+	uint32_t blue = model_shade_level(row->blue + u * row->blue_dx + s->blue.bend[n]);
+	uint32_t colour = red | green << 8 | blue << 16;
 
 	if (alpha_constant)
 		return colour | s->alpha_word;

@@ -208,7 +208,7 @@ static struct stream_surface random_surface(struct stream_random *r)
 	       tile_bytes(r, surface.pitch) > r->job.slot[surface.slot].size)
 		surface.pitch -= row_bytes(r);
 	if (chance(r, 3))
-		surface.pitch = row_bytes(r) * (uint32_t)between(r, 1, (int)(0xffff / row_bytes(r)));
+		surface.pitch = row_bytes(r) * (1 + below(r, 0xffff / row_bytes(r)));
 	return surface;
 }
 
@@ -241,7 +241,8 @@ static bool tile_fits(const struct stream_random *r, const struct stream_surface
 {
 	const struct gloss_slot *slot = &r->job.slot[surface->slot];
 
-	return surface->pitch && (slot->rights & right) && tile_bytes(r, surface->pitch) <= slot->size;
+	return surface->pitch && (slot->rights & right) &&
+	       tile_bytes(r, surface->pitch) <= slot->size;
 }
 
 /* Few places, so that a tile is loaded where another was stored, wholly or by some of its rows. */

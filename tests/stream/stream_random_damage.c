@@ -73,9 +73,10 @@ static void change_opcode(struct stream_random *r)
 static void change_length(struct stream_random *r)
 {
 	uint32_t *header = &r->words[random_header(r)];
-	uint32_t length = chance(r, 70) ? gloss_header_length(*header) + (uint32_t)between(r, -2, 2) :
-					  stream_random_word(r);
+	uint32_t length = stream_random_word(r);
 
+	if (chance(r, 70))
+		length = gloss_header_length(*header) + (uint32_t)between(r, -2, 2);
 	*header = (*header & ~GLOSS_LENGTH_MAX) | (length & GLOSS_LENGTH_MAX);
 }
 
@@ -146,8 +147,9 @@ static void move_offset(struct stream_random *r)
 
 static void (*const damages[])(struct stream_random *r) = {
 	flip_any, flip_header, flip_payload, replace_word, change_opcode, change_length,
-	truncate_stream, delete_word, duplicate_word, delete_packet, take_rights, shrink_slot,
-	shrink_response, move_offset,
+	truncate_stream, delete_word, duplicate_word, delete_packet, move_offset, shrink_response,
+	/* Twice: most streams use few of the slots. */
+	take_rights, take_rights, shrink_slot, shrink_slot,
 };
 
 void stream_random_damage(struct stream_random *r)

@@ -272,7 +272,8 @@ static void random_surface(struct stream_random *r, int words)
 {
 	bool wild = chance(r, 15);
 
-	stream_random_emit(r, wild ? stream_random_word(r) : below(r, 256u << GLOSS_COLOUR_FRACTION));
+	stream_random_emit(r, wild ? stream_random_word(r) :
+				     below(r, 256u << GLOSS_COLOUR_FRACTION));
 	for (int n = 1; n < words; n++)
 		stream_random_emit(r, (uint32_t)spread(r, wild ? 32 : n < 3 ? 25 : 19));
 }
