@@ -10,7 +10,7 @@ bool model_memory_allows(const struct model *model, unsigned int slot, enum glos
 {
 	const struct gloss_slot *s = &model->job->slot[slot];
 
-	return (s->rights & right) == right && (uint64_t)offset + bytes <= s->size;
+	return (s->rights & right) && (uint64_t)offset + bytes <= s->size;
 }
 
 /* Board memory is little-endian, words are the host's. */

@@ -26,6 +26,7 @@ enum slots {
 	READ,		/* the same, read only */
 	WRITE,		/* the same, write only */
 	SMALL,		/* 100 bytes, read and write */
+	ODD,		/* 103 bytes */
 	LATE,		/* as WHOLE but four bytes shorter */
 };
 
@@ -147,8 +148,11 @@ static const struct fault_case cases[] = {
 	{ "scissor y0", WORDS(HEADER(SCISSOR, 0, 1), 65u << 8), GLOSS_FAULT_VALUE, 1 },
 	{ "scissor x1", WORDS(HEADER(SCISSOR, 0, 1), 65u << 16), GLOSS_FAULT_VALUE, 1 },
 	{ "scissor y1", WORDS(HEADER(SCISSOR, 0, 1), 65u << 24), GLOSS_FAULT_VALUE, 1 },
-	{ "scissor of 32",
+	{ "scissor x1 of 32",
 	  WORDS(HEADER(SCISSOR, 0, 1), 32u << 16, HEADER(SCISSOR, 0, 1), 33u << 16),
+	  GLOSS_FAULT_VALUE, 3, .tile_size = 32 },
+	{ "scissor y1 of 32",
+	  WORDS(HEADER(SCISSOR, 0, 1), 32u << 24, HEADER(SCISSOR, 0, 1), 33u << 24),
 	  GLOSS_FAULT_VALUE, 3, .tile_size = 32 },
 	{ "edges_wide reserved",
 	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 0, 0, 0, 0, 0, 0, BIT(16), 0, 0, 0,
@@ -158,6 +162,10 @@ static const struct fault_case cases[] = {
 	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 1u << 16 | 63u << 24, 0, 0, 0, 0, 0, 0,
 		0, 0, 0, 0, 0),
 	  GLOSS_FAULT_VALUE, 6 },
+	{ "edges_wide rows of 32",
+	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 31u << 16 | 1u << 24, 0, 0, 0, 0, 0, 0,
+		0, 0, 0, 0, 0),
+	  GLOSS_FAULT_VALUE, 6, .tile_size = 32 },
 	{ "edges_wide rows before a later word",
 	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 1u << 16 | 63u << 24, BIT(31), 0, 0, 0,
 		0, 0, 0, 0, 0, 0, 0),
@@ -221,6 +229,8 @@ static const struct fault_case cases[] = {
 	  GLOSS_FAULT_SLOT, 2 },
 	{ "read past the slot", WORDS(HEADER(READ_MEMORY, 0, 2), 2u << 16 | SMALL, 96),
 	  GLOSS_FAULT_SLOT, 2 },
+	{ "read past a slot of odd size", WORDS(HEADER(READ_MEMORY, 0, 2), 1u << 16 | ODD, 100),
+	  GLOSS_FAULT_SLOT, 2 },
 	{ "read that starts past the slot", WORDS(HEADER(READ_MEMORY, 0, 2), 1u << 16 | SMALL, 100),
 	  GLOSS_FAULT_SLOT, 2 },
 	{ "write whose end wraps", WORDS(HEADER(WRITE_MEMORY, 0, 3), WHOLE, 0xfffffffc, 0),
@@ -281,6 +291,7 @@ static void default_slots(struct model_test *t)
 	set_slot(t, READ, 4096, TILE_BYTES, GLOSS_RIGHTS_READ);
 	set_slot(t, WRITE, 4096, TILE_BYTES, GLOSS_RIGHTS_WRITE);
 	set_slot(t, SMALL, 4096, 100, GLOSS_RIGHTS_READ_WRITE);
+	set_slot(t, ODD, 4096, 103, GLOSS_RIGHTS_READ_WRITE);
 	set_slot(t, LATE, 4096, TILE_BYTES - 4, GLOSS_RIGHTS_READ_WRITE);
 }
 
