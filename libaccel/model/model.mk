@@ -44,3 +44,5 @@ unit-sanitize: ## unit tests of library and model under ASan and UBSan
 
 UNIT_TESTS += $(MODEL_TESTS)
 CHECKS += unit-sanitize
+
+include tests/fuzz/fuzz.mk
