@@ -9,8 +9,9 @@
 
 /*
  * Before a function whose loops are worth a second copy for AVX2; the copy is
- * chosen when the program is loaded, through an ifunc. A sanitizer's run-time is
- * not ready then, and only glibc has ifuncs.
+ * chosen when the program is loaded, through an ifunc. Only glibc has ifuncs,
+ * a sanitizer's run-time is not ready then, and clang 14 gives the function a
+ * name that other files do not find.
  */
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
 	!defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
