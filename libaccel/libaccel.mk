@@ -98,10 +98,29 @@ $(BUILD)/tests/unit/test_%: tests/unit/test_%.c $(BUILD)/libaccel/parts.a
 
 run-test_%: $(BUILD)/tests/unit/test_%
 	$(call quiet,TEST,$*)
-	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) $<
+	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) FAKE_SIM_PATH=$(FAKE_SIM_DIR) $<
 
 -include $(wildcard $(BUILD)/tests/unit/*.d)
 
 ACCEL_UNIT_TESTS := test_range test_option test_engine test_device test_buffer test_target \
-	test_state test_stream test_fence
-UNIT_TESTS += $(ACCEL_UNIT_TESTS)
+	test_state test_stream test_fence test_transport_sim test_transport_sim_core
+UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
+
+# Plugins without a core: one that is right, and some that are wrong in one thing each.
+FAKE_SIM_DIR := $(BUILD)/tests/unit/fake-sim
+FAKE_SIMS := t64-k1 t64-k2 t64-k4 t64-k8 t32-k2 t32-k4
+fake_flags_t64-k2 := -DFAKE_ABI=GLOSS_SIM_ABI+1
+fake_flags_t64-k4 := -DFAKE_VERSION=GLOSS_VERSION+1
+fake_flags_t32-k2 := -UFAKE_SYMBOL -DFAKE_SYMBOL=gloss_simulator
+fake_flags_t32-k4 := -c
+$(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/fake_sim.c libaccel/sim.h
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -fPIC -shared -DFAKE_SYMBOL=gloss_sim $(fake_flags_$*) $< -o $@
+run-test_transport_sim: $(FAKE_SIMS:%=$(FAKE_SIM_DIR)/accel-sim-%.so)
+
+run-test_transport_sim_core: $(SIM_DIR)/accel-sim-t64-k8.so $(SIM_DIR)/accel-sim-t32-k1.so
+
+.PHONY: run-test_symbols
+run-test_symbols: $(BUILD)/libaccel.so $(BUILD)/libaccel.a
+	$(call quiet,TEST,symbols)
+	$(Q)tests/unit/test_symbols.sh $(BUILD)
