@@ -8,60 +8,54 @@ module raster_edge (
   input  logic                   clk_i,
 
   // from raster_walk
-  input  logic                   load_i,     // take line_i as it is
-  input  logic                   step_r_i,
-  input  logic                   switch_r_i, // with step_r_i: go on with middle_i instead
-  input  logic                   step_x_i,   // for the step of r before
-  input  logic                   switch_x_i,
+  input  logic                   idle_i,     // what is taken is line_i, otherwise middle_i
+  input  logic                   take_r_i,   // take r, m and dy
+  input  logic                   step_r_i,   // or step r
+  input  logic                   take_x_i,   // take x and step
+  input  logic                   step_x_i,   // or step x, as the step of r before told
 
   // from raster_load
   input  gloss_pkg::edge_line_t  line_i,
-  input  gloss_pkg::edge_line_t  middle_i,   // must stay until it is switched to
+  input  gloss_pkg::edge_line_t  middle_i,
 
   // to raster_walk
   output logic signed [12:0]     x_o
 );
 
-  logic signed [12:0] x_q, step_q;
-  logic [15:0]        r_q, m_q, dy_q;
-  logic               carry_q;
+  gloss_pkg::edge_line_t source;
+  logic signed [12:0]    x_q, step_q;
+  logic [15:0]           r_q, m_q;
+  logic [16:0]           drop_q; // m - dy
+  logic                  carry_q;
 
-  // r + m loses its carry, as the interface says.
-  logic [15:0] sum;
-  logic [16:0] rest;
+  // Both outcomes side by side. r + m loses its carry before it is compared with dy, as the interface says; so r was
+  // large enough if taking dy away borrowed as often as adding m carried.
+  logic [16:0] stay, dropped;
+  logic        carry;
 
-  assign sum = r_q + m_q;
-  assign rest = {1'b0, sum} - {1'b0, dy_q};
+  assign source = idle_i ? line_i : middle_i;
+  assign stay = {1'b0, r_q} + {1'b0, m_q};
+  assign dropped = {1'b0, r_q} + drop_q;
+  assign carry = stay[16] == dropped[16];
   assign x_o = x_q;
 
   always_ff @(posedge clk_i) begin
-    if (load_i) begin
-      r_q <= line_i.r;
-      m_q <= line_i.m;
-      dy_q <= line_i.dy;
+    if (take_r_i) begin
+      r_q <= source.r;
+      m_q <= source.m;
+      drop_q <= {1'b0, source.m} - {1'b0, source.dy};
     end else if (step_r_i) begin
-      if (switch_r_i) begin
-        r_q <= middle_i.r;
-        m_q <= middle_i.m;
-        dy_q <= middle_i.dy;
-      end else begin
-        r_q <= rest[16] ? sum : rest[15:0];
-      end
-      carry_q <= !rest[16];
+      r_q <= carry ? dropped[15:0] : stay[15:0];
     end
+    if (step_r_i) carry_q <= carry;
   end
 
   always_ff @(posedge clk_i) begin
-    if (load_i) begin
-      x_q <= line_i.x;
-      step_q <= line_i.step;
+    if (take_x_i) begin
+      x_q <= source.x;
+      step_q <= source.step;
     end else if (step_x_i) begin
-      if (switch_x_i) begin
-        x_q <= middle_i.x;
-        step_q <= middle_i.step;
-      end else begin
-        x_q <= x_q + step_q + {12'b0, carry_q};
-      end
+      x_q <= x_q + step_q + {12'b0, carry_q};
     end
   end
 

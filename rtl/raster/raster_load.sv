@@ -52,30 +52,52 @@ module raster_load #(
   output logic                    idle_o
 );
 
-  logic       take_header, take_go, take_state, take_end;
-  logic [3:0] take_part; // by PART_*
-  logic       walk_full_q, row_full_q;
+  // ---- the op in hand ----
+  // It is decoded on its way into registers, so that few gates are left before the many enables.
+  logic                  held_q, header_q, go_q, set_q, end_q;
+  logic [3:0]            part_q; // payload, by PART_*
+  logic [1:0]            what_q; // STATE_*
+  logic [4:0]            row_q;
+  logic [StreamBits-1:0] data_q;
+  logic                  bank_q;
 
-  assign ready_o = !walk_full_q && !row_full_q;
+  logic                  walk_full_q, row_full_q, open;
+  logic                  take_header, take_go, take_set, take_end;
+  logic [3:0]            take_part;
+
+  assign open = !walk_full_q && !row_full_q;
+  assign ready_o = !held_q || open;
+  assign idle_o = !held_q && open;
   assign walk_valid_o = walk_full_q;
   assign row_valid_o = row_full_q;
-  assign idle_o = ready_o;
 
-  always_comb begin
-    take_header = 1'b0;
-    take_part = '0;
-    take_go = 1'b0;
-    take_state = 1'b0;
-    take_end = 1'b0;
-    if (valid_i && ready_o) begin
-      unique case (op_i.kind)
-        gloss_pkg::RENDER_HEADER: take_header = 1'b1;
-        gloss_pkg::RENDER_PAYLOAD: take_part[op_i.part] = 1'b1;
-        gloss_pkg::RENDER_GO: take_go = 1'b1;
-        gloss_pkg::RENDER_STATE: take_state = 1'b1;
-        gloss_pkg::RENDER_END: take_end = 1'b1;
-        default: ;
-      endcase
+  assign take_header = header_q && open;
+  assign take_part = open ? part_q : '0;
+  assign take_go = go_q && open;
+  assign take_set = set_q && open;
+  assign take_end = end_q && open;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      {held_q, header_q, part_q, go_q, set_q, end_q} <= '0;
+    end else if (ready_o) begin
+      held_q <= valid_i;
+      header_q <= valid_i && op_i.kind == gloss_pkg::RENDER_HEADER;
+      for (int p = 0; p < 4; p++) begin
+        part_q[p] <= valid_i && op_i.kind == gloss_pkg::RENDER_PAYLOAD && op_i.part == 2'(p);
+      end
+      go_q <= valid_i && op_i.kind == gloss_pkg::RENDER_GO;
+      set_q <= valid_i && op_i.kind == gloss_pkg::RENDER_STATE;
+      end_q <= valid_i && op_i.kind == gloss_pkg::RENDER_END;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (ready_o) begin
+      what_q <= op_i.part;
+      row_q <= op_i.row;
+      data_q <= data_i;
+      bank_q <= bank_i;
     end
   end
 
@@ -97,17 +119,17 @@ module raster_load #(
   gloss_pkg::scissor_t            scissor;
   gloss_pkg::pixel_state_t        state_q;
   gloss_pkg::clip_t               clip_q;
-  logic                           end_q;
+  logic                           is_end_q;
   logic                           unused_state;
 
-  assign depth_state = data_i[31:0];
-  assign colour_mask = data_i[31:0];
-  assign scissor = data_i[31:0];
+  assign depth_state = data_q[31:0];
+  assign colour_mask = data_q[31:0];
+  assign scissor = data_q[31:0];
   assign unused_state = ^{depth_state, colour_mask, scissor};
 
   always_ff @(posedge clk_i) begin
-    if (take_state) begin
-      unique case (op_i.part)
+    if (take_set) begin
+      unique case (what_q)
         gloss_pkg::STATE_DEPTH: begin
           state_q.depth_func <= depth_state.func;
           state_q.depth_write <= depth_state.write;
@@ -128,14 +150,14 @@ module raster_load #(
       endcase
     end
     if (take_go || take_end) begin
-      state_q.bank <= bank_i;
-      end_q <= take_end;
+      state_q.bank <= bank_q;
+      is_end_q <= take_end;
     end
   end
 
   assign state_o = state_q;
   assign clip_o = clip_q;
-  assign end_o = end_q;
+  assign end_o = is_end_q;
 
   // ---- header ----
   gloss_pkg::triangle_header_t header;
@@ -144,7 +166,7 @@ module raster_load #(
   logic [7:0]                  alpha_constant_q;
   logic                        unused_header;
 
-  assign header = data_i[31:0];
+  assign header = data_q[31:0];
   assign unused_header = ^{header.opcode, header.length};
   assign covering_o = covering_q;
 
@@ -166,8 +188,8 @@ module raster_load #(
     .clk_i(clk_i),
     .clear_i(take_header),
     .write_i(take_part[gloss_pkg::PART_EDGES]),
-    .row_i(op_i.row),
-    .data_i(data_i),
+    .row_i(row_q),
+    .data_i(data_q),
     .compact_i(compact_q),
     .left_o(left_o),
     .right_o(right_o),
@@ -191,23 +213,23 @@ module raster_load #(
   ) depth (
     .clk_i(clk_i),
     .write_i(take_part[gloss_pkg::PART_DEPTH]),
-    .row_i(op_i.row),
-    .data_i(data_i),
+    .row_i(row_q),
+    .data_i(data_q),
     .compact_i(compact_q),
     .depth_o(depth_o)
   );
 
   // A part that is not sent is set at the colour part's first row.
   logic set_constant;
-  assign set_constant = take_part[gloss_pkg::PART_COLOUR] && op_i.row == '0 && !alpha_linear_q;
+  assign set_constant = take_part[gloss_pkg::PART_COLOUR] && row_q == '0 && !alpha_linear_q;
 
   raster_load_alpha #(
     .StreamBits(StreamBits)
   ) alpha (
     .clk_i(clk_i),
     .write_i(take_part[gloss_pkg::PART_ALPHA]),
-    .row_i(op_i.row),
-    .data_i(data_i),
+    .row_i(row_q),
+    .data_i(data_q),
     .set_i(set_constant),
     .constant_i(alpha_constant_q),
     .alpha_o(alpha_o),
@@ -224,8 +246,8 @@ module raster_load #(
     ) colour (
       .clk_i(clk_i),
       .write_i(take_part[gloss_pkg::PART_COLOUR]),
-      .row_i(op_i.row),
-      .data_i(data_i),
+      .row_i(row_q),
+      .data_i(data_q),
       .shading_i(shading_q),
       .surface_o(surfaces[192*c +: 192])
     );

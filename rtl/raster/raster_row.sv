@@ -56,64 +56,55 @@ module raster_row #(
   logic             left_q;       // second clock of a move to the left
   logic [XBits-1:0] column_q;     // block the row state stands at
   logic [YBits-1:0] row_q;
-  logic [XBits-1:0] run_more_q;   // blocks the run still has to send
+  logic             step_q;       // the run sends a block in this clock
+  logic [XBits-1:0] run_more_q;   // and so many after it
+  logic             may_start_q;  // the run is over, and before a new triangle so is the gap
   logic [1:0]       recent_q;     // a block or mark was sent one, two clocks ago
-  logic             at_block, quiet, start, step, send_end;
+  logic             load, walking, here, down, start, aside, right, send_end;
 
-  assign at_block = column_q == span_block_i;
-  assign quiet = recent_q == '0;
-  assign step = run_more_q != '0;
+  assign walking = busy_q && !left_q && span_valid_i;
+  assign here = span_empty_i || column_q == span_block_i;
+  assign right = column_q < span_block_i;
+
+  assign load = !busy_q && valid_i && !end_i;
+  assign send_end = !busy_q && valid_i && end_i && !step_q && recent_q == '0;
+  assign down = walking && here && (span_empty_i || may_start_q);
+  assign start = walking && here && !span_empty_i && may_start_q;
+  assign aside = walking && !here;
+
+  assign take_o = load || send_end;
+  assign span_ready_o = down;
 
   always_comb begin
-    command_o.slopes = 1'b0;
-    command_o.values = 1'b0;
-    command_o.move = gloss_pkg::MOVE_DOWN;
-    command_o.start = 1'b0;
-    command_o.step = step;
-    take_o = 1'b0;
-    send_end = 1'b0;
-    span_ready_o = 1'b0;
-    if (!busy_q) begin
-      send_end = valid_i && end_i && !step && quiet;
-      take_o = (valid_i && !end_i) || send_end;
-      command_o.slopes = valid_i && !end_i;
-      command_o.values = valid_i && !end_i;
-      command_o.move = gloss_pkg::MOVE_LOAD;
-    end else if (left_q) begin
-      command_o.values = 1'b1;
-      command_o.move = gloss_pkg::MOVE_LEFT;
-    end else if (span_valid_i) begin
-      if (span_empty_i || at_block) begin
-        command_o.start = !span_empty_i && !step && (!new_q || quiet);
-        span_ready_o = span_empty_i || command_o.start;
-        command_o.slopes = span_ready_o;
-        command_o.values = span_ready_o;
-      end else if (column_q < span_block_i) begin
-        command_o.slopes = 1'b1;
-        command_o.values = 1'b1;
-        command_o.move = gloss_pkg::MOVE_RIGHT;
-      end else begin
-        command_o.slopes = 1'b1;
-        command_o.move = gloss_pkg::MOVE_LEFT;
-      end
-    end
+    command_o.slopes = load || down || aside;
+    command_o.values = load || down || (aside && right) || left_q;
+    command_o.move = !busy_q ? gloss_pkg::MOVE_LOAD :
+                     left_q ? gloss_pkg::MOVE_LEFT :
+                     here ? gloss_pkg::MOVE_DOWN :
+                     right ? gloss_pkg::MOVE_RIGHT : gloss_pkg::MOVE_LEFT;
+    command_o.start = start;
+    command_o.step = step_q;
   end
 
-  assign start = command_o.start;
+  // A start ends the wait of a new triangle, so only steps have to be looked at for one that still waits.
+  logic more, gap_over;
+  assign more = start ? span_more_i != '0 : step_q && run_more_q != '0;
+  assign gap_over = !new_q || !(step_q || recent_q[0]);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       busy_q <= 1'b0;
       left_q <= 1'b0;
-      run_more_q <= '0;
+      step_q <= 1'b0;
+      may_start_q <= 1'b0;
       recent_q <= '0;
     end else begin
-      if (!busy_q) busy_q <= take_o && !end_i;
-      else if (span_ready_o && span_last_i) busy_q <= 1'b0;
-      left_q <= command_o.slopes && command_o.move == gloss_pkg::MOVE_LEFT;
-      if (start) run_more_q <= span_more_i;
-      else if (step) run_more_q <= run_more_q - 1'b1;
-      recent_q <= {recent_q[0], start || step || send_end};
+      if (!busy_q) busy_q <= load;
+      else if (down && span_last_i) busy_q <= 1'b0;
+      left_q <= aside && !right;
+      step_q <= more;
+      may_start_q <= !more && (start || (!load && gap_over));
+      recent_q <= {recent_q[0], start || step_q || send_end};
     end
   end
 
@@ -126,11 +117,11 @@ module raster_row #(
       new_q <= 1'b1;
       state_q <= state_i;
     end else begin
-      if (command_o.slopes && command_o.move == gloss_pkg::MOVE_RIGHT) column_q <= column_q + 1'b1;
-      if (command_o.slopes && command_o.move == gloss_pkg::MOVE_LEFT) column_q <= column_q - 1'b1;
-      if (span_ready_o) row_q <= row_q + 1'b1;
+      if (aside) column_q <= right ? column_q + 1'b1 : column_q - 1'b1;
+      if (down) row_q <= row_q + 1'b1;
       if (start) new_q <= 1'b0;
     end
+    run_more_q <= (start ? span_more_i : run_more_q) - 1'b1;
   end
 
   // ---- the run's block ----
@@ -141,13 +132,13 @@ module raster_row #(
 
   always_ff @(posedge clk_i) begin
     run_first_q <= start;
-    run_last_q <= start ? span_more_i == '0 : run_more_q == XBits'(1);
+    run_last_q <= !more;
     if (start) begin
       run_x_q <= column_q;
       run_y_q <= row_q;
       run_low_q <= span_low_i;
       run_high_q <= span_high_i;
-    end else if (step) begin
+    end else if (step_q) begin
       run_x_q <= run_x_q + 1'b1;
     end
   end
@@ -175,7 +166,7 @@ module raster_row #(
       valid_q <= '0;
       end_q <= '0;
     end else begin
-      valid_q <= {valid_q[Latency-2:0], start || step};
+      valid_q <= {valid_q[Latency-2:0], start || step_q};
       end_q <= {end_q[Latency-2:0], send_end};
     end
   end
@@ -202,6 +193,6 @@ module raster_row #(
   assign end_o = end_q[Latency-1];
   assign end_bank_o = block_state_o.bank;
 
-  assign idle_o = !busy_q && run_more_q == '0 && valid_q == '0 && end_q == '0;
+  assign idle_o = !busy_q && !step_q && valid_q == '0 && end_q == '0;
 
 endmodule

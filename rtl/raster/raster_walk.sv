@@ -99,11 +99,11 @@ module raster_walk #(
 
   raster_edge left_edge (
     .clk_i(clk_i),
-    .load_i(take_o),
+    .idle_i(!busy_q),
+    .take_r_i(take_o || (step_r && next_switches && !side_q)),
     .step_r_i(step_r),
-    .switch_r_i(next_switches && !side_q),
+    .take_x_i(take_o || (step_x && switched_q && !side_q)),
     .step_x_i(step_x),
-    .switch_x_i(switched_q && !side_q),
     .line_i(left_i),
     .middle_i(middle_q),
     .x_o(left_x)
@@ -111,11 +111,11 @@ module raster_walk #(
 
   raster_edge right_edge (
     .clk_i(clk_i),
-    .load_i(take_o),
+    .idle_i(!busy_q),
+    .take_r_i(take_o || (step_r && next_switches && side_q)),
     .step_r_i(step_r),
-    .switch_r_i(next_switches && side_q),
+    .take_x_i(take_o || (step_x && switched_q && side_q)),
     .step_x_i(step_x),
-    .switch_x_i(switched_q && side_q),
     .line_i(right_i),
     .middle_i(middle_q),
     .x_o(right_x)
