@@ -202,8 +202,8 @@ static inline void gloss_edges_wide_unpack(const uint32_t *words, struct gloss_e
 	p->middle_dy = words[8] & 0xffffu;
 }
 
-/* Index of the first of the 9 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 9 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_edges_wide_invalid(const uint32_t *words)
 {
 	if (words[0] & 0xe000e000u)
@@ -299,8 +299,8 @@ static inline void gloss_edges_compact_unpack(const uint32_t *words, struct glos
 	p->middle_step = (int32_t)(words[5] << 16) >> 24;
 }
 
-/* Index of the first of the 6 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 6 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_edges_compact_invalid(const uint32_t *words)
 {
 	if (words[0] & 0xc0000000u)
@@ -352,8 +352,8 @@ static inline void gloss_depth_wide_unpack(const uint32_t *words, struct gloss_d
 	p->dy_high = words[3] >> 16 & 0xffu;
 }
 
-/* Index of the first of the 4 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 4 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_depth_wide_invalid(const uint32_t *words)
 {
 	if (words[3] & 0xff000000u)
@@ -386,8 +386,8 @@ static inline void gloss_depth_compact_unpack(const uint32_t *words, struct glos
 	p->dy = (int32_t)words[2];
 }
 
-/* Index of the first of the 3 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 3 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_depth_compact_invalid(const uint32_t *words)
 {
 	(void)words;
@@ -419,8 +419,8 @@ static inline void gloss_alpha_linear_unpack(const uint32_t *words, struct gloss
 	p->a_dy = words[2];
 }
 
-/* Index of the first of the 3 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 3 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_alpha_linear_invalid(const uint32_t *words)
 {
 	(void)words;
@@ -452,8 +452,8 @@ static inline void gloss_colour_flat_unpack(const uint32_t *words, struct gloss_
 	p->blue = words[0] >> 16 & 0xffu;
 }
 
-/* Index of the first of the 1 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 1 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_colour_flat_invalid(const uint32_t *words)
 {
 	if (words[0] & 0xff000000u)
@@ -504,8 +504,8 @@ static inline void gloss_colour_linear_unpack(const uint32_t *words, struct glos
 	p->blue_dy = words[8];
 }
 
-/* Index of the first of the 9 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 9 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_colour_linear_invalid(const uint32_t *words)
 {
 	(void)words;
@@ -587,8 +587,8 @@ static inline void gloss_colour_second_order_unpack(const uint32_t *words,
 	p->blue_dyy = words[17];
 }
 
-/* Index of the first of the 18 words @words with a reserved bit set or a field
- * out of range, or -1. */
+/* @words: the 18 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_colour_second_order_invalid(const uint32_t *words)
 {
 	(void)words;
@@ -632,8 +632,8 @@ static inline void gloss_write_memory_unpack(const uint32_t *words, struct gloss
 	p->offset = words[2];
 }
 
-/* Index of the first of the 2 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 2 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_write_memory_invalid(const uint32_t *words)
 {
 	if (words[0] & 0xfffffff0u)
@@ -671,8 +671,8 @@ static inline void gloss_read_memory_unpack(const uint32_t *words, struct gloss_
 	p->offset = words[2];
 }
 
-/* Index of the first of the 2 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 2 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_read_memory_invalid(const uint32_t *words)
 {
 	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
@@ -726,8 +726,8 @@ static inline void gloss_colour_surface_unpack(const uint32_t *words,
 	p->pitch = words[1] >> 16;
 }
 
-/* Index of the first of the 1 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 1 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_colour_surface_invalid(const uint32_t *words)
 {
 	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
@@ -764,8 +764,8 @@ static inline void gloss_depth_surface_unpack(const uint32_t *words, struct glos
 	p->pitch = words[1] >> 16;
 }
 
-/* Index of the first of the 1 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 1 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_depth_surface_invalid(const uint32_t *words)
 {
 	if ((words[0] & 0x0000fff0u) || (words[0] >> 16) < 1)
@@ -811,8 +811,8 @@ static inline void gloss_tile_begin_unpack(const uint32_t *words, struct gloss_t
 	p->depth = words[2];
 }
 
-/* Index of the first of the 2 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 2 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_tile_begin_invalid(const uint32_t *words)
 {
 	(void)words;
@@ -855,8 +855,8 @@ static inline void gloss_tile_end_unpack(const uint32_t *words, struct gloss_til
 	p->depth = words[2];
 }
 
-/* Index of the first of the 2 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 2 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_tile_end_invalid(const uint32_t *words)
 {
 	(void)words;
@@ -950,8 +950,8 @@ static inline void gloss_scissor_unpack(const uint32_t *words, struct gloss_scis
 	p->y1 = words[1] >> 24 & 0x7fu;
 }
 
-/* Index of the first of the 1 words @words with a reserved bit set or a field
- * out of range, or -1. @words starts behind the header. */
+/* @words: the 1 behind the header. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
 static inline int gloss_scissor_invalid(const uint32_t *words)
 {
 	if (words[0] & 0x80808080u)
@@ -1080,7 +1080,7 @@ static inline bool gloss_opcode_known(unsigned int opcode)
 	}
 }
 
-/* Are the header's reserved bits zero and its fields in range? The opcode is a known one. */
+/* Are the header's reserved bits zero and its fields in range? The opcode is known. */
 static inline bool gloss_header_valid(uint32_t header)
 {
 	switch (gloss_header_opcode(header)) {

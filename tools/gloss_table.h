@@ -65,17 +65,6 @@ static const struct table_enum table_enum_tile_output = {
 	"tile_output", 3, table_values_tile_output
 };
 
-static const struct table_value table_values_rights[] = {
-	{ 0, "none" },
-	{ 1, "read" },
-	{ 2, "write" },
-	{ 3, "read_write" },
-};
-
-static const struct table_enum table_enum_rights = {
-	"rights", 4, table_values_rights
-};
-
 static const struct table_field table_fields_edges_wide[] = {
 	{ .name = "left_x", .word = 0, .high = 12, .low = 0,
 	  .type = TABLE_INT, .min = -4096, .max = 4095 },
@@ -117,7 +106,8 @@ static const struct table_field table_fields_edges_wide[] = {
 	  .type = TABLE_UINT, .min = 0, .max = 65535 },
 };
 
-static const struct table_record table_edges_wide = { "edges_wide", 9, 19, table_fields_edges_wide };
+static const struct table_record table_edges_wide =
+	{ "edges_wide", 9, 19, table_fields_edges_wide };
 
 static const struct table_field table_fields_edges_compact[] = {
 	{ .name = "left_r", .word = 0, .high = 9, .low = 0,
@@ -160,7 +150,8 @@ static const struct table_field table_fields_edges_compact[] = {
 	  .type = TABLE_INT, .min = -128, .max = 127 },
 };
 
-static const struct table_record table_edges_compact = { "edges_compact", 6, 19, table_fields_edges_compact };
+static const struct table_record table_edges_compact =
+	{ "edges_compact", 6, 19, table_fields_edges_compact };
 
 static const struct table_field table_fields_depth_wide[] = {
 	{ .name = "z", .word = 0, .high = 31, .low = 0,
@@ -180,7 +171,8 @@ static const struct table_field table_fields_depth_wide[] = {
 	  .type = TABLE_UINT, .min = 0, .max = 255, .is_rest = true },
 };
 
-static const struct table_record table_depth_wide = { "depth_wide", 4, 6, table_fields_depth_wide };
+static const struct table_record table_depth_wide =
+	{ "depth_wide", 4, 6, table_fields_depth_wide };
 
 static const struct table_field table_fields_depth_compact[] = {
 	{ .name = "z", .word = 0, .high = 31, .low = 0,
@@ -191,7 +183,8 @@ static const struct table_field table_fields_depth_compact[] = {
 	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647, .fixed = true, .fraction = 6 },
 };
 
-static const struct table_record table_depth_compact = { "depth_compact", 3, 3, table_fields_depth_compact };
+static const struct table_record table_depth_compact =
+	{ "depth_compact", 3, 3, table_fields_depth_compact };
 
 static const struct table_field table_fields_alpha_linear[] = {
 	{ .name = "a", .word = 0, .high = 31, .low = 0,
@@ -202,7 +195,8 @@ static const struct table_field table_fields_alpha_linear[] = {
 	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 };
 
-static const struct table_record table_alpha_linear = { "alpha_linear", 3, 3, table_fields_alpha_linear };
+static const struct table_record table_alpha_linear =
+	{ "alpha_linear", 3, 3, table_fields_alpha_linear };
 
 static const struct table_field table_fields_colour_flat[] = {
 	{ .name = "red", .word = 0, .high = 7, .low = 0,
@@ -213,7 +207,8 @@ static const struct table_field table_fields_colour_flat[] = {
 	  .type = TABLE_UINT, .min = 0, .max = 255 },
 };
 
-static const struct table_record table_colour_flat = { "colour_flat", 1, 3, table_fields_colour_flat };
+static const struct table_record table_colour_flat =
+	{ "colour_flat", 1, 3, table_fields_colour_flat };
 
 static const struct table_field table_fields_colour_linear[] = {
 	{ .name = "red", .word = 0, .high = 31, .low = 0,
@@ -236,7 +231,8 @@ static const struct table_field table_fields_colour_linear[] = {
 	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 };
 
-static const struct table_record table_colour_linear = { "colour_linear", 9, 9, table_fields_colour_linear };
+static const struct table_record table_colour_linear =
+	{ "colour_linear", 9, 9, table_fields_colour_linear };
 
 static const struct table_field table_fields_colour_second_order[] = {
 	{ .name = "red", .word = 0, .high = 31, .low = 0,
@@ -277,7 +273,8 @@ static const struct table_field table_fields_colour_second_order[] = {
 	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .fixed = true, .fraction = 22 },
 };
 
-static const struct table_record table_colour_second_order = { "colour_second_order", 18, 18, table_fields_colour_second_order };
+static const struct table_record table_colour_second_order =
+	{ "colour_second_order", 18, 18, table_fields_colour_second_order };
 
 static const struct table_field table_fields_write_memory[] = {
 	{ .name = "slot", .word = 1, .high = 3, .low = 0,
@@ -372,30 +369,42 @@ static const struct table_field table_fields_triangle[] = {
 };
 
 static const struct table_part table_parts_triangle[] = {
-	{ &table_edges_wide, false, 12, 11, 0 },
-	{ &table_edges_compact, false, 12, 11, 1 },
-	{ &table_depth_wide, false, 12, 11, 0 },
-	{ &table_depth_compact, false, 12, 11, 1 },
-	{ &table_depth_wide, false, 12, 11, 2 },
-	{ &table_alpha_linear, false, 15, 15, 1 },
-	{ &table_colour_flat, false, 14, 13, 0 },
-	{ &table_colour_linear, false, 14, 13, 1 },
-	{ &table_colour_second_order, false, 14, 13, 2 },
+	{ &table_edges_wide, 12, 11, 0, false },
+	{ &table_edges_compact, 12, 11, 1, false },
+	{ &table_depth_wide, 12, 11, 0, false },
+	{ &table_depth_compact, 12, 11, 1, false },
+	{ &table_depth_wide, 12, 11, 2, false },
+	{ &table_alpha_linear, 15, 15, 1, false },
+	{ &table_colour_flat, 14, 13, 0, false },
+	{ &table_colour_linear, 14, 13, 1, false },
+	{ &table_colour_second_order, 14, 13, 2, false },
 };
 
 static const struct table_packet table_packets[] = {
-	{ 0x00, true, 0, { "nop", 0, 0, 0 }, 0, 0 },
-	{ 0x01, true, 3, { "write_memory", 2, 2, table_fields_write_memory }, 0, 0 },
-	{ 0x02, false, 2, { "read_memory", 2, 3, table_fields_read_memory }, 0, 0 },
-	{ 0x03, false, 0, { "counters", 0, 0, 0 }, 0, 0 },
-	{ 0x08, false, 1, { "colour_surface", 1, 2, table_fields_colour_surface }, 0, 0 },
-	{ 0x09, false, 1, { "depth_surface", 1, 2, table_fields_depth_surface }, 0, 0 },
-	{ 0x10, false, 2, { "tile_begin", 2, 4, table_fields_tile_begin }, 0, 0 },
-	{ 0x11, false, 2, { "tile_end", 2, 4, table_fields_tile_end }, 0, 0 },
-	{ 0x20, false, 0, { "depth_state", 0, 2, table_fields_depth_state }, 0, 0 },
-	{ 0x21, false, 0, { "colour_mask", 0, 4, table_fields_colour_mask }, 0, 0 },
-	{ 0x22, false, 1, { "scissor", 1, 4, table_fields_scissor }, 0, 0 },
-	{ 0x30, true, 0, { "triangle", 0, 4, table_fields_triangle }, 9, table_parts_triangle },
+	{ 0x00, 0, { "nop", 0, 0, 0 },
+	  0, 0, true },
+	{ 0x01, 3, { "write_memory", 2, 2, table_fields_write_memory },
+	  0, 0, true },
+	{ 0x02, 2, { "read_memory", 2, 3, table_fields_read_memory },
+	  0, 0, false },
+	{ 0x03, 0, { "counters", 0, 0, 0 },
+	  0, 0, false },
+	{ 0x08, 1, { "colour_surface", 1, 2, table_fields_colour_surface },
+	  0, 0, false },
+	{ 0x09, 1, { "depth_surface", 1, 2, table_fields_depth_surface },
+	  0, 0, false },
+	{ 0x10, 2, { "tile_begin", 2, 4, table_fields_tile_begin },
+	  0, 0, false },
+	{ 0x11, 2, { "tile_end", 2, 4, table_fields_tile_end },
+	  0, 0, false },
+	{ 0x20, 0, { "depth_state", 0, 2, table_fields_depth_state },
+	  0, 0, false },
+	{ 0x21, 0, { "colour_mask", 0, 4, table_fields_colour_mask },
+	  0, 0, false },
+	{ 0x22, 1, { "scissor", 1, 4, table_fields_scissor },
+	  0, 0, false },
+	{ 0x30, 0, { "triangle", 0, 4, table_fields_triangle },
+	  table_parts_triangle, 9, true },
 };
 
 #endif

@@ -25,9 +25,9 @@
 #include <string.h>
 
 /* Bits of a header: opcode 31:24, length 10:0, the packet's own between them. */
-#define HW_HEADER_HIGH	23
-#define HW_HEADER_LOW	11
-#define HW_LENGTH_MAX	2047
+#define HW_HEADER_HIGH	23u
+#define HW_HEADER_LOW	11u
+#define HW_LENGTH_MAX	2047u
 
 enum hw_type { HW_UINT, HW_INT, HW_BOOL, HW_ENUM };
 enum hw_kind { HW_GROUP, HW_PACKET, HW_STRUCT };
@@ -65,7 +65,7 @@ struct hw_field {
 	const struct hw_enum *enumeration;	/* of type HW_ENUM */
 	bool has_min, has_max;
 	int64_t min, max;
-	const char *format;			/* how people read it: "hex", "s10.22", or NULL */
+	const char *format;			/* for people: "hex", "s10.22", or NULL */
 	const char *above_name;
 	const struct hw_field *above;		/* these bits continue that field's upwards */
 };
@@ -89,7 +89,7 @@ struct hw_record {
 	bool has_words, variable;
 	unsigned int words;			/* without a packet's header */
 	unsigned int opcode;
-	unsigned int least;			/* fewest payload words, if variable without parts */
+	unsigned int least;			/* fewest payload words, without parts */
 	struct hw_field *fields;
 	struct hw_part *parts;
 };
@@ -150,7 +150,7 @@ bool hw_enum_dense(const struct hw_enum *enumeration, uint32_t *last);
 
 /* ---- text ---- */
 
-#define HW_NAME_MAX 128
+#define HW_NAME_MAX 128u
 
 static inline bool hw_same(const char *a, const char *b)
 {

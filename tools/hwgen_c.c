@@ -203,7 +203,8 @@ static void write_pack(const struct writer *w, const struct hw_record *r)
 			fprintf(w->out, " and the %u words after it", r->words);
 		else if (r->words)
 			fputs(" and the word after it", w->out);
-		fputs(free_length ? ". @length: payload words, at most 2047. */\n" : ". */\n", w->out);
+		fputs(free_length ? ". @length: payload words, at most 2047. */\n" : ". */\n",
+		      w->out);
 	}
 	write_signature(w, r, "pack", "uint32_t *words", "const struct",
 			free_length ? ", uint32_t length" : "");
@@ -332,9 +333,9 @@ static void write_invalid(const struct writer *w, const struct hw_record *r)
 	bool any = false;
 
 	fprintf(w->out,
-		"/* Index of the first of the %u words @words with a reserved bit set or a field\n"
-		" * out of range, or -1.%s */\n", r->words,
-		r->kind == HW_PACKET ? " @words starts behind the header." : "");
+		"/* @words: the %u %s. Index of the first with a reserved bit set or a\n"
+		" * field out of range, or -1. */\n", r->words,
+		r->kind == HW_PACKET ? "behind the header" : "of the group");
 	fprintf(w->out, "static inline int %s_%s_invalid(const uint32_t *words)\n{\n", w->name,
 		r->name);
 	for (unsigned int i = 0; i < r->words; i++) {
@@ -413,11 +414,12 @@ static void write_header_checks(struct writer *w)
 		"\tswitch (opcode) {\n", w->name);
 	for (const struct hw_record *r = w->hw->records; r; r = r->next) {
 		if (r->kind == HW_PACKET)
-			fprintf(w->out, "\tcase %s_OP_%s:\n", w->upper_name, hw_upper(w->upper, r->name));
+			fprintf(w->out, "\tcase %s_OP_%s:\n", w->upper_name,
+				hw_upper(w->upper, r->name));
 	}
 	fputs("\t\treturn true;\n\tdefault:\n\t\treturn false;\n\t}\n}\n\n", w->out);
 	fprintf(w->out,
-		"/* Are the header's reserved bits zero and its fields in range? The opcode is a known one. */\n"
+		"/* Are the header's reserved bits zero and its fields in range? The opcode is known. */\n"
 		"static inline bool %s_header_valid(uint32_t header)\n{\n"
 		"\tswitch (%s_header_opcode(header)) {\n", w->name, w->name);
 	for (const struct hw_record *r = w->hw->records; r; r = r->next) {

@@ -133,8 +133,8 @@ static void check_place(const char *path, const struct hw_record *record,
 	unsigned int words = hw_first_word(record) + record->words;
 
 	if (field->word >= words)
-		hw_fail(path, field->line, "field '%s' is in word %u, and '%s' has %u",
-			field->name, field->word, record->name, words);
+		hw_fail(path, field->line, "field '%s' is in word %u, the last of '%s' is %u",
+			field->name, field->word, record->name, words - 1);
 	if (record->kind == HW_PACKET && field->word == 0 &&
 	    (field->high > HW_HEADER_HIGH || field->low < HW_HEADER_LOW))
 		hw_fail(path, field->line,
@@ -200,7 +200,8 @@ static void check_format(const char *path, const struct hw_record *record,
 		whole = fraction = 0;
 	snprintf(again, sizeof(again), "s%u.%u", whole, fraction);
 	if (!hw_same(again, field->format))
-		hw_fail(path, field->line, "format '%s' of field '%s' is neither 'hex' nor like 's10.22'",
+		hw_fail(path, field->line,
+			"format '%s' of field '%s' is neither 'hex' nor like 's10.22'",
 			field->format, field->name);
 	if (whole + fraction != whole_width(record, field))
 		hw_fail(path, field->line, "format '%s' of field '%s' does not have its %u bits",
@@ -257,7 +258,7 @@ static void check_packet(const struct hw_interface *hw, const struct hw_record *
 	}
 	if (packet->parts && (packet->has_words || packet->least || !packet->variable))
 		hw_fail(hw->path, packet->line,
-			"packet '%s' has parts, so it needs variable=\"yes\", no words and no least",
+			"packet '%s' has parts: it needs variable=\"yes\", no words, no least",
 			packet->name);
 	for (struct hw_part *part = packet->parts; part; part = part->next) {
 		check_part(hw, packet, part);
@@ -286,15 +287,14 @@ static void check_record(const struct hw_interface *hw, struct hw_record *record
 
 void hw_check(struct hw_interface *hw)
 {
-	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next) {
-		if (hw_same(constant->name, "version") && constant->value != hw->version)
-			hw_fail(hw->path, constant->line,
-				"constant 'version' is %u, the interface's is %u", constant->value,
+	for (const struct hw_constant *c = hw->constants; c; c = c->next) {
+		if (hw_same(c->name, "version") && c->value != hw->version)
+			hw_fail(hw->path, c->line,
+				"constant 'version' is %u, the interface's is %u", c->value,
 				hw->version);
 	}
-	for (const struct hw_enum *enumeration = hw->enums; enumeration;
-	     enumeration = enumeration->next)
-		check_enum(hw->path, enumeration);
+	for (const struct hw_enum *e = hw->enums; e; e = e->next)
+		check_enum(hw->path, e);
 	for (struct hw_record *record = hw->records; record; record = record->next)
 		check_record(hw, record);
 	for (const struct hw_record *record = hw->records; record; record = record->next) {

@@ -18,7 +18,8 @@ static void write_text(FILE *out, const char *text)
 
 		paragraph += strspn(paragraph, " \t\r\n");
 		word = strcspn(paragraph, " \n");
-		if (word && paragraph[word - 1] == '.' && paragraph[word] && word < HW_NAME_MAX / 2) {
+		if (word && word < HW_NAME_MAX / 2 && paragraph[word] &&
+		    paragraph[word - 1] == '.') {
 			snprintf(lead, sizeof(lead), "**%.*s** ", (int)word, paragraph);
 			paragraph += word;
 		}
@@ -231,7 +232,8 @@ void hw_write_manual(FILE *out, const struct hw_interface *hw)
 		hw->version);
 	write_text(out, hw->doc);
 	fputs("## Header\n\n"
-	      "Word 0 of every packet. Bits without a field are reserved and zero, here and in all words.\n\n"
+	      "Word 0 of every packet. Bits without a field are reserved and zero, here and in\n"
+	      "all words.\n\n"
 	      "| bits | |\n|---:|---|\n| 31:24 | opcode |\n| 23:11 | the packet's own fields |\n"
 	      "| 10:0 | length: payload words |\n\n", out);
 	write_index(out, hw);

@@ -39,7 +39,8 @@ claim(struct scope *scope, unsigned long line, const char *format, ...)
 		if (!hw_same(other->text, name->text))
 			continue;
 		if (!other->line)
-			hw_fail(scope->path, line, "'%s' is a name hwgen writes itself", name->text);
+			hw_fail(scope->path, line, "'%s' is a name hwgen writes itself",
+				name->text);
 		hw_fail(scope->path, line, "'%s' is already in line %lu", name->text, other->line);
 	}
 	name->next = scope->names;
@@ -56,19 +57,19 @@ static void check_spelling(const char *path, unsigned long line, const char *nam
 		good = (*c >= 'a' && *c <= 'z') || (*c >= '0' && *c <= '9') ||
 		       (*c == '_' && c[1] && c[1] != '_');
 	if (!good || strlen(name) > HW_NAME_MAX / 4)
-		hw_fail(path, line, "'%s' is not a name: a-z, then a-z, 0-9 and single '_' between, up to %u",
+		hw_fail(path, line,
+			"'%s' is not a name: a-z, then a-z, 0-9 and single '_' between, up to %u",
 			name, HW_NAME_MAX / 4);
 }
 
 static void spell_all(const struct hw_interface *hw)
 {
 	check_spelling(hw->path, hw->line, hw->name);
-	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next)
-		check_spelling(hw->path, constant->line, constant->name);
-	for (const struct hw_enum *enumeration = hw->enums; enumeration;
-	     enumeration = enumeration->next) {
-		check_spelling(hw->path, enumeration->line, enumeration->name);
-		for (const struct hw_value *value = enumeration->values; value; value = value->next)
+	for (const struct hw_constant *c = hw->constants; c; c = c->next)
+		check_spelling(hw->path, c->line, c->name);
+	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
+		check_spelling(hw->path, e->line, e->name);
+		for (const struct hw_value *value = e->values; value; value = value->next)
 			check_spelling(hw->path, value->line, value->name);
 	}
 	for (const struct hw_record *record = hw->records; record; record = record->next) {
@@ -108,13 +109,12 @@ static void claim_c(const struct hw_interface *hw)
 	claim(&functions, 0, "header_length");
 	claim(&functions, 0, "header_valid");
 	claim(&functions, 0, "opcode_known");
-	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next)
-		claim(&macros, constant->line, "%s", hw_upper(upper, constant->name));
-	for (const struct hw_enum *enumeration = hw->enums; enumeration;
-	     enumeration = enumeration->next) {
-		claim(&tags, enumeration->line, "%s", enumeration->name);
-		hw_upper(upper, enumeration->name);
-		for (const struct hw_value *value = enumeration->values; value; value = value->next)
+	for (const struct hw_constant *c = hw->constants; c; c = c->next)
+		claim(&macros, c->line, "%s", hw_upper(upper, c->name));
+	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
+		claim(&tags, e->line, "%s", e->name);
+		hw_upper(upper, e->name);
+		for (const struct hw_value *value = e->values; value; value = value->next)
 			claim(&macros, value->line, "%s_%s", upper,
 			      hw_upper(value_upper, value->name));
 	}
@@ -136,12 +136,11 @@ static void claim_sv(const struct hw_interface *hw)
 	struct scope package = { hw->path, hw_keyword_sv, NULL };
 	char upper[HW_NAME_MAX], value_upper[HW_NAME_MAX];
 
-	for (const struct hw_constant *constant = hw->constants; constant; constant = constant->next)
-		claim(&package, constant->line, "%s", hw_camel(upper, constant->name));
-	for (const struct hw_enum *enumeration = hw->enums; enumeration;
-	     enumeration = enumeration->next) {
-		hw_upper(upper, enumeration->name);
-		for (const struct hw_value *value = enumeration->values; value; value = value->next)
+	for (const struct hw_constant *c = hw->constants; c; c = c->next)
+		claim(&package, c->line, "%s", hw_camel(upper, c->name));
+	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
+		hw_upper(upper, e->name);
+		for (const struct hw_value *value = e->values; value; value = value->next)
 			claim(&package, value->line, "%s_%s", upper,
 			      hw_upper(value_upper, value->name));
 	}

@@ -108,7 +108,8 @@ static const char **begin_constant(struct reader *reader, const struct element *
 	(void)element;
 	constant->line = line_of(reader);
 	constant->name = copy(reader->attribute[0]);
-	constant->value = (uint32_t)read_number(reader, "value", reader->attribute[1], 0, UINT32_MAX);
+	constant->value = (uint32_t)read_number(reader, "value", reader->attribute[1], 0,
+						UINT32_MAX);
 	APPEND(reader->hw->constants, constant);
 	return &constant->doc;
 }

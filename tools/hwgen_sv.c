@@ -72,14 +72,14 @@ static void write_word(FILE *out, const struct hw_record *r, unsigned int word,
 		if (header && bit == 31) {
 			low = 24;
 			write_member(out, false, 8, "opcode");
-		} else if (header && bit == HW_HEADER_LOW - 1) {
+		} else if (header && bit == (int)HW_HEADER_LOW - 1) {
 			low = 0;
 			write_member(out, false, HW_HEADER_LOW, "length");
 		} else if (f) {
 			low = (int)f->low;
 			write_member(out, f->type == HW_INT, hw_width(f), f->name);
 		} else {
-			while (low > (header ? HW_HEADER_LOW : 0) &&
+			while (low > (header ? (int)HW_HEADER_LOW : 0) &&
 			       !hw_field_at(r, word, (unsigned int)low - 1))
 				low--;
 			snprintf(name, sizeof(name), "reserved_%u", (*reserved)++);
@@ -129,7 +129,7 @@ void hw_write_sv(FILE *out, const struct hw_interface *hw)
 	write_constants(out, hw);
 	write_enums(out, hw);
 	write_opcodes(out, hw);
-	fputs("  // Packed structs: the lowest word of a group or payload is bits 31:0 of its struct.\n"
+	fputs("  // Packed structs: the lowest word of a group or payload is bits 31:0.\n"
 	      "  // A _RESERVED mask has the bits that must be zero.\n\n", out);
 	write_records(out, hw, HW_GROUP);
 	write_records(out, hw, HW_PACKET);

@@ -15,6 +15,17 @@ static void write_enum(FILE *out, const struct hw_enum *e)
 		"\t\"%s\", %u, table_values_%s\n};\n\n", e->name, e->name, count, e->name);
 }
 
+static bool is_used(const struct hw_interface *hw, const struct hw_enum *e)
+{
+	for (const struct hw_record *r = hw->records; r; r = r->next) {
+		for (const struct hw_field *f = r->fields; f; f = f->next) {
+			if (f->enumeration == e)
+				return true;
+		}
+	}
+	return false;
+}
+
 static unsigned int count_fields(const struct hw_record *r, const struct hw_field *end)
 {
 	unsigned int count = 0;
@@ -75,10 +86,10 @@ static void write_parts(FILE *out, const struct hw_record *r)
 	fprintf(out, "static const struct table_part table_parts_%s[] = {\n", r->name);
 	for (const struct hw_part *p = r->parts; p; p = p->next) {
 		if (p->condition)
-			fprintf(out, "\t{ &table_%s, false, %u, %u, %u },\n", p->group->name,
+			fprintf(out, "\t{ &table_%s, %u, %u, %u, false },\n", p->group->name,
 				p->condition->high, p->condition->low, p->value);
 		else
-			fprintf(out, "\t{ &table_%s, true, 0, 0, 0 },\n", p->group->name);
+			fprintf(out, "\t{ &table_%s, 0, 0, 0, true },\n", p->group->name);
 	}
 	fputs("};\n\n", out);
 }
@@ -89,13 +100,13 @@ static void write_packet(FILE *out, const struct hw_record *r)
 
 	for (const struct hw_part *p = r->parts; p; p = p->next)
 		count++;
-	fprintf(out, "\t{ 0x%02x, %s, %u, ", r->opcode, r->variable ? "true" : "false", r->least);
+	fprintf(out, "\t{ 0x%02x, %u, ", r->opcode, r->least);
 	write_record(out, r);
-	fprintf(out, ", %u, ", count);
 	if (r->parts)
-		fprintf(out, "table_parts_%s },\n", r->name);
+		fprintf(out, ",\n\t  table_parts_%s, %u, %s },\n", r->name, count,
+			r->variable ? "true" : "false");
 	else
-		fputs("0 },\n", out);
+		fprintf(out, ",\n\t  0, 0, %s },\n", r->variable ? "true" : "false");
 }
 
 void hw_write_table(FILE *out, const struct hw_interface *hw)
@@ -108,13 +119,15 @@ void hw_write_table(FILE *out, const struct hw_interface *hw)
 		"/* Generated from rtl/%s.xml by tools/hwgen; do not edit. */\n"
 		"#ifndef %s_TABLE_H\n#define %s_TABLE_H\n\n#include \"table.h\"\n\n",
 		hw->name, upper, upper);
-	for (const struct hw_enum *e = hw->enums; e; e = e->next)
-		write_enum(out, e);
+	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
+		if (is_used(hw, e))
+			write_enum(out, e);
+	}
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
 		if (r->kind != HW_GROUP)
 			continue;
 		write_fields(out, r);
-		fprintf(out, "static const struct table_record table_%s = ", r->name);
+		fprintf(out, "static const struct table_record table_%s =\n\t", r->name);
 		write_record(out, r);
 		fputs(";\n\n", out);
 	}

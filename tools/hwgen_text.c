@@ -9,7 +9,7 @@ char *hw_upper(char *out, const char *name)
 {
 	size_t i;
 
-	for (i = 0; name[i] && i < HW_NAME_MAX - 1; i++)
+	for (i = 0; i < HW_NAME_MAX - 1 && name[i]; i++)
 		out[i] = (char)toupper((unsigned char)name[i]);
 	out[i] = '\0';
 	return out;

@@ -25,10 +25,10 @@ struct table_field {
 	enum table_type type;
 	const struct table_enum *enumeration;	/* of TABLE_ENUM */
 	int64_t min, max;
-	bool hex;				/* how people read it */
-	bool fixed;				/* a two's complement number with a fraction */
+	const struct table_field *rest;		/* continues this one's bits upwards */
 	unsigned int fraction;
-	const struct table_field *rest;		/* the field that continues this one's bits, or NULL */
+	bool fixed;				/* a two's complement number with a fraction */
+	bool hex;				/* how people read it */
 	bool is_rest;				/* continues another one's */
 };
 
@@ -42,19 +42,19 @@ struct table_record {
 /* A group in a packet's payload, if bits high:low of the header are the value. */
 struct table_part {
 	const struct table_record *group;
-	bool always;
 	unsigned int high, low;
 	uint32_t value;
+	bool always;
 };
 
 /* Payload: the words of the record, then the parts, then, if variable without parts, the rest. */
 struct table_packet {
 	unsigned int opcode;
-	bool variable;
 	unsigned int least;			/* fewest payload words, without parts */
 	struct table_record record;
-	unsigned int count;
 	const struct table_part *parts;
+	unsigned int count;
+	bool variable;
 };
 
 #endif

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-# hwgen and what it makes, gloss-decode, and their tests.
+# hwgen, what it makes, and its tests.
 
-HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tools/hwgen*.c))
 HWGEN := $(BUILD)/hwgen
+HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen*.c)))
 
 $(HWGEN_OBJECTS): $(BUILD)/%.o: %.c
-	$(call quiet,CC,$@)
-	$(Q)mkdir -p $(@D)
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
 
 $(HWGEN): $(HWGEN_OBJECTS)
 	$(call quiet,LD,$@)
-	$(Q)$(CC) $(CFLAGS) -o $@ $^ -lexpat
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lexpat
 
 -include $(HWGEN_OBJECTS:.o=.d)
 
@@ -33,3 +33,19 @@ check-generated: $(HWGEN) ## fail if a generated file differs from rtl/gloss.xml
 		echo "$$file is not what rtl/gloss.xml says: run 'make generate' and commit it" >&2; \
 		exit 1; \
 	done
+
+$(BUILD)/tests/hwgen/test_small: tests/hwgen/test_small.c tests/hwgen/small.h
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $< -lcmocka -o $@
+
+.PHONY: run-hwgen refresh-hwgen
+run-hwgen: $(BUILD)/tests/hwgen/test_small $(HWGEN)
+	$(call quiet,TEST,hwgen)
+	$(Q)$(BUILD)/tests/hwgen/test_small
+	$(Q)tests/hwgen/run $(HWGEN) $(BUILD)
+
+refresh-hwgen: $(HWGEN) ## make what hwgen does now the expected; read the diff
+	$(Q)tests/hwgen/run $(HWGEN) $(BUILD) --refresh
+
+UNIT_TESTS += hwgen

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated from rtl/small.xml by tools/hwgen; do not edit. Included in small_pkg.
+
+  // As the interface says.
+  localparam int unsigned Version = 3;
+  localparam int unsigned RowBytes = 256;
+
+  // All values have names.
+  localparam logic [1:0] COLOUR_RED = 2'd0;
+  localparam logic [1:0] COLOUR_GREEN = 2'd1;
+  localparam logic [1:0] COLOUR_BLUE = 2'd2;
+  localparam logic [1:0] COLOUR_WHITE = 2'd3;
+
+  localparam logic [1:0] FORM_DOT = 2'd0;
+  localparam logic [1:0] FORM_LINE = 2'd1;
+  localparam logic [1:0] FORM_BOX = 2'd2;
+
+  // With gaps.
+  localparam logic [3:0] POWER_ONE = 4'd1;
+  localparam logic [3:0] POWER_TWO = 4'd2;
+  localparam logic [3:0] POWER_EIGHT = 4'd8;
+
+  localparam logic [7:0] OP_STOP = 8'h00;
+  localparam logic [7:0] OP_SKIP = 8'h01;
+  localparam logic [7:0] OP_DATA = 8'h02;
+  localparam logic [7:0] OP_DRAW = 8'hff;
+
+  // Payload words of packets whose length is fixed, and of groups.
+  localparam logic [10:0] PLACE_WORDS = 11'd3;
+  localparam logic [10:0] EXTENT_WORDS = 11'd2;
+  localparam logic [10:0] STOP_WORDS = 11'd0;
+
+  // Packed structs: the lowest word of a group or payload is bits 31:0.
+  // A _RESERVED mask has the bits that must be zero.
+
+  typedef struct packed {
+    logic signed [31:0] whole;  // word 2
+    logic [31:0] reserved_0;  // word 1
+    logic signed [11:0] x;  // word 0
+    logic [7:0] reserved_1;
+    logic signed [11:0] y;
+  } place_t;
+  localparam logic [95:0] PLACE_RESERVED = 96'h00000000ffffffff000ff000;
+
+  typedef struct packed {
+    logic [3:0] level;  // word 1
+    logic [11:0] reserved_0;
+    logic [3:0] mode;
+    logic [3:0] reserved_1;
+    logic [7:0] size_high;
+    logic [31:0] size;  // word 0
+  } extent_t;
+  localparam logic [63:0] EXTENT_RESERVED = 64'h0fff0f0000000000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } stop_header_t;
+  localparam logic [31:0] STOP_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } skip_header_t;
+  localparam logic [31:0] SKIP_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [12:0] reserved_0;
+    logic [10:0] length;
+  } data_header_t;
+  localparam logic [31:0] DATA_HEADER_RESERVED = 32'h00fff800;
+
+  typedef struct packed {
+    logic [31:0] address;
+  } data_t;
+  localparam logic [31:0] DATA_RESERVED = 32'h00000000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [7:0] count;
+    logic [1:0] reserved_0;
+    logic plain;
+    logic [1:0] form;
+    logic [10:0] length;
+  } draw_header_t;
+  localparam logic [31:0] DRAW_HEADER_RESERVED = 32'h0000c000;
+
+  typedef struct packed {
+    logic [29:0] reserved_0;
+    logic [1:0] colour;
+  } state_t;
+  localparam logic [31:0] STATE_RESERVED = 32'hfffffffc;
+
