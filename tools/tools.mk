@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-# hwgen, what it makes, and its tests.
+# hwgen and what it makes, gloss-decode, and their tests.
 
 HWGEN := $(BUILD)/hwgen
 HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen*.c)))
+DECODE_OBJECTS := $(BUILD)/tools/decode.o $(BUILD)/tools/decode_print.o
 
-$(HWGEN_OBJECTS): $(BUILD)/%.o: %.c
+$(HWGEN_OBJECTS) $(DECODE_OBJECTS) $(BUILD)/tools/gloss-decode.o: $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
@@ -13,7 +14,13 @@ $(HWGEN): $(HWGEN_OBJECTS)
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lexpat
 
--include $(HWGEN_OBJECTS:.o=.d)
+$(BUILD)/gloss-decode: $(BUILD)/tools/gloss-decode.o $(DECODE_OBJECTS)
+	$(call quiet,LD,$@)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
+
+-include $(HWGEN_OBJECTS:.o=.d) $(DECODE_OBJECTS:.o=.d) $(BUILD)/tools/gloss-decode.d
+
+ALL += $(BUILD)/gloss-decode
 
 .PHONY: generate check-generated
 generate: $(HWGEN) ## rewrite what is made from rtl/gloss.xml
@@ -34,12 +41,25 @@ check-generated: $(HWGEN) ## fail if a generated file differs from rtl/gloss.xml
 		exit 1; \
 	done
 
+# The decoder is compared with the model, which is in parts.a of the library.
+$(BUILD)/tests/unit/test_decode: tests/unit/test_decode.c $(DECODE_OBJECTS) \
+		$(BUILD)/libaccel/parts.a
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Itools -MMD -MP -MF $@.d $(filter-out %.h,$^) \
+		-lcmocka -o $@
+
 $(BUILD)/tests/hwgen/test_small: tests/hwgen/test_small.c tests/hwgen/small.h
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $< -lcmocka -o $@
 
-.PHONY: run-hwgen refresh-hwgen
+.PHONY: run-decode run-hwgen refresh-hwgen install-decode
+run-decode: $(BUILD)/tests/unit/test_decode $(BUILD)/gloss-decode
+	$(call quiet,TEST,decode)
+	$(Q)$(BUILD)/tests/unit/test_decode
+	$(Q)tests/decode/run $(BUILD)/gloss-decode $(BUILD)
+
 run-hwgen: $(BUILD)/tests/hwgen/test_small $(HWGEN)
 	$(call quiet,TEST,hwgen)
 	$(Q)$(BUILD)/tests/hwgen/test_small
@@ -48,4 +68,10 @@ run-hwgen: $(BUILD)/tests/hwgen/test_small $(HWGEN)
 refresh-hwgen: $(HWGEN) ## make what hwgen does now the expected; read the diff
 	$(Q)tests/hwgen/run $(HWGEN) $(BUILD) --refresh
 
-UNIT_TESTS += hwgen
+UNIT_TESTS += decode hwgen
+
+install-decode: $(BUILD)/gloss-decode
+	$(Q)install -D -m 755 $(BUILD)/gloss-decode $(DESTDIR)$(PREFIX)/bin/gloss-decode
+	$(Q)install -D -m 644 tools/gloss-decode.1 $(DESTDIR)$(PREFIX)/share/man/man1/gloss-decode.1
+
+INSTALLS += install-decode
