@@ -89,7 +89,7 @@
   localparam logic [10:0] COLOUR_LINEAR_WORDS = 11'd9;
   localparam logic [10:0] COLOUR_SECOND_ORDER_WORDS = 11'd18;
 
-  // Packed structs: the lowest word of a group or payload is bits 31:0 of its struct.
+  // Packed structs: the lowest word of a group or payload is bits 31:0.
   // A _RESERVED mask has the bits that must be zero.
 
   typedef struct packed {
