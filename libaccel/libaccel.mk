@@ -94,7 +94,7 @@ $(BUILD)/tests/unit/test_%: tests/unit/test_%.c $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d $< $(BUILD)/libaccel/parts.a \
-		-lcmocka $(ACCEL_LIBS) -o $@
+		$(UNIT_LDFLAGS) -lcmocka $(ACCEL_LIBS) -o $@
 
 run-test_%: $(BUILD)/tests/unit/test_%
 	$(call quiet,TEST,$*)
@@ -103,8 +103,13 @@ run-test_%: $(BUILD)/tests/unit/test_%
 -include $(wildcard $(BUILD)/tests/unit/*.d)
 
 ACCEL_UNIT_TESTS := test_range test_option test_engine test_device test_buffer test_target \
-	test_state test_stream test_fence test_transport_sim test_transport_sim_core
+	test_state test_stream test_fence test_out_of_memory \
+	test_transport_sim test_transport_sim_core
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
+
+comma := ,
+$(BUILD)/tests/unit/test_out_of_memory: UNIT_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, \
+	malloc calloc realloc free mmap munmap pthread_create pthread_join)
 
 # Plugins without a core: one that is right, and some that are wrong in one thing each.
 FAKE_SIM_DIR := $(BUILD)/tests/unit/fake-sim
@@ -118,7 +123,29 @@ $(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/fake_sim.c libaccel/sim.h
 	$(Q)$(CC) $(ACCEL_CFLAGS) -fPIC -shared -DFAKE_SYMBOL=gloss_sim $(fake_flags_$*) $< -o $@
 run-test_transport_sim: $(FAKE_SIMS:%=$(FAKE_SIM_DIR)/accel-sim-%.so)
 
-run-test_transport_sim_core: $(SIM_DIR)/accel-sim-t64-k8.so $(SIM_DIR)/accel-sim-t32-k1.so
+ACCEL_TEST_SIMS := $(SIM_DIR)/accel-sim-t64-k8.so $(SIM_DIR)/accel-sim-t32-k1.so
+run-test_transport_sim_core run-test_out_of_memory: $(ACCEL_TEST_SIMS)
+
+# The same tests with the compiler's checks built in, on the plugins of this build.
+SANITIZE_MAKE = $(MAKE) --no-print-directory SIM_DIR=$(SIM_DIR) $(ACCEL_UNIT_TESTS:%=run-%)
+
+.PHONY: unit-sanitize-accel unit-thread-accel unit-valgrind-accel
+unit-sanitize-accel: $(ACCEL_TEST_SIMS) ## unit tests of the library under ASan and UBSan
+	$(Q)+$(SANITIZE_MAKE) BUILD=$(BUILD)/asan \
+		CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+unit-thread-accel: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
+	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZE_MAKE) BUILD=$(BUILD)/tsan \
+		CFLAGS="-O1 -g -fsanitize=thread"
+
+VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim
+unit-valgrind-accel: $(VALGRIND_TESTS:%=$(BUILD)/tests/unit/%) $(FAKE_SIMS:%=$(FAKE_SIM_DIR)/accel-sim-%.so)
+	$(Q)for test in $(VALGRIND_TESTS); do \
+		FAKE_SIM_PATH=$(FAKE_SIM_DIR) valgrind -q --error-exitcode=1 --leak-check=full \
+			$(BUILD)/tests/unit/$$test || exit 1; \
+	done
+
+CHECKS += unit-sanitize-accel unit-thread-accel unit-valgrind-accel
 
 .PHONY: run-test_symbols
 run-test_symbols: $(BUILD)/libaccel.so $(BUILD)/libaccel.a
