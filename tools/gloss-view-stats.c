@@ -27,8 +27,7 @@ void view_stats_print(const struct view *view)
 	uint64_t visible = visible_pixels(view);
 
 	accel_device_info(view->device, &info);
-	printf("device     %s, %" PRIu32 "x%" PRIu32 " tiles, %" PRIu32 " pixels a clock\n",
-	       info.name, info.tile_size, info.tile_size, info.pixels_per_clock);
+	printf("device     %s\n", info.name);
 	printf("picture    %dx%d, %" PRIu64 " pixels of the mesh, %s shading\n", view->scene.width,
 	       view->scene.height, visible, view_shading_name(view->options->shading));
 	printf("triangles  %" PRIu64 ": %" PRIu64 " culled, %" PRIu64 " clipped, ",

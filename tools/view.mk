@@ -28,3 +28,5 @@ $(BUILD)/gloss-view: $(VIEW_MAIN) $(VIEW_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
 
 LINT_C += $(VIEW_CFLAGS)
 ALL += $(BUILD)/gloss-view
+
+include tests/image/image.mk
