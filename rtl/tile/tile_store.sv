@@ -148,7 +148,7 @@ module tile_store #(
   assign store_address_o = {address_q, {UnitBits{1'b0}}};
 
   always_ff @(posedge clk_i) begin
-    if (state_q == Start) begin
+    if (state_q == Start && !store_valid_q) begin
       address_q <= part_address_i;
       pitch_q <= part_pitch_i;
       answer_q <= part_output == gloss_pkg::TILE_OUTPUT_ANSWER;
