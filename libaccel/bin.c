@@ -38,6 +38,7 @@ static void forget_records(struct accel_bin *bin)
 		bin->tile[i] = (struct accel_tile){ .drawn = false };
 	bin->block_now = bin->block;
 	bin->block_used = 0;
+	bin->records = 0;
 }
 
 void accel_bin_reset(struct accel_bin *bin)
@@ -46,7 +47,6 @@ void accel_bin_reset(struct accel_bin *bin)
 	bin->clear.mask = 0;
 	bin->width = bin->height = 0;
 	bin->columns = bin->rows = 0;
-	bin->records = 0;
 }
 
 int accel_bin_begin(struct accel_bin *bin, int width, int height)
@@ -192,8 +192,9 @@ static uint32_t tile_scissor(const struct accel_bin *bin, int x, int y)
 	int size = bin->tile_size;
 
 	return accel_bin_scissor(clamp(visible->x0 - x, 0, size), clamp(visible->y0 - y, 0, size),
-			    visible->x1 == bin->width ? size : clamp(visible->x1 - x, 0, size),
-			    visible->y1 == bin->height ? size : clamp(visible->y1 - y, 0, size));
+				 visible->x1 == bin->width ? size : clamp(visible->x1 - x, 0, size),
+				 visible->y1 == bin->height ? size :
+							      clamp(visible->y1 - y, 0, size));
 }
 
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,

@@ -93,24 +93,32 @@ static uint32_t colour_word(const float rgba[4])
 	return word;
 }
 
+static bool clear_valid(unsigned int mask, const float rgba[4], float depth)
+{
+	bool valid = mask && !(mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH));
+
+	if (mask & ACCEL_CLEAR_COLOUR)
+		valid = valid && rgba && isfinite(rgba[0]) && isfinite(rgba[1]) &&
+			isfinite(rgba[2]) && isfinite(rgba[3]);
+	if (mask & ACCEL_CLEAR_DEPTH)
+		valid = valid && depth >= 0 && depth <= 1;
+	return valid;
+}
+
 int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4], float depth)
 {
 	struct accel_clear clear = { .mask = mask };
 	int err;
 
-	if (!mask || mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH))
+	if (!clear_valid(mask, rgba, depth)) {
+		accel_device_message(draw->device, "a clear of mask %u: a colour has four finite "
+				     "numbers, a depth is 0 to 1", mask);
 		return -EINVAL;
-	if (mask & ACCEL_CLEAR_COLOUR) {
-		for (int i = 0; i < 4; i++)
-			if (!isfinite(rgba[i]))
-				return -EINVAL;
+	}
+	if (mask & ACCEL_CLEAR_COLOUR)
 		clear.colour = colour_word(rgba);
-	}
-	if (mask & ACCEL_CLEAR_DEPTH) {
-		if (!(depth >= 0 && depth <= 1))
-			return -EINVAL;
+	if (mask & ACCEL_CLEAR_DEPTH)
 		clear.depth = (uint32_t)((double)depth * DEPTH_MAX + 0.5);
-	}
 	frame_begin(draw);
 	err = accel_bin_clear(&draw->bin, &clear);
 	if (err)
@@ -122,10 +130,14 @@ static int set_target(struct accel_draw *draw, const struct accel_target *target
 {
 	int err;
 
-	if (draw->has_target)
-		return target->colour == draw->target.colour ? 0 : -EINVAL;
-	if (target->device != draw->device)
+	if (draw->has_target && target->colour == draw->target.colour)
+		return 0;
+	if (draw->has_target || target->device != draw->device) {
+		accel_device_message(draw->device, draw->has_target ?
+				     "a frame drawn on two targets" :
+				     "a target of another device");
 		return -EINVAL;
+	}
 	err = accel_bin_begin(&draw->bin, target->width, target->height);
 	if (err)
 		return err;
@@ -154,13 +166,14 @@ int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh)
 {
 	struct accel_pass pass = {
+		.device = draw->device,
 		.state = state,
 		.mesh = mesh,
 		.lit = state->lighting,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
-	int err = accel_mesh_check(mesh);
+	int err = accel_mesh_check(draw->device, mesh);
 
 	if (!err)
 		err = reserve_vertices(draw, mesh->vertices);

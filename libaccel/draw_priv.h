@@ -79,10 +79,10 @@ struct accel_sample {
 struct accel_vertex {
 	int32_t x, y;			/* window, y down, ACCEL_WINDOW_BITS fraction bits */
 	float w;			/* of clip space, for perspective */
-	uint32_t outside;		/* of enum accel_outside; if to be clipped, x, y, w, z are not set */
+	uint32_t outside;		/* of enum accel_outside; x, y, w, z need all CLIP bits 0 */
 	double z;			/* of the window, 0 to 1 */
 	float eye[3];
-	float normal[3];		/* eye space; unit at a mesh's vertices, linear between them */
+	float normal[3];		/* eye space; unit at a mesh's vertices, linear between */
 	unsigned int sampled;		/* 0 no, 1 as front, 2 as back side */
 	struct accel_sample sample;
 };
@@ -195,6 +195,7 @@ struct accel_edge_entry {
 };
 
 struct accel_pass {
+	struct accel_device *device;	/* for messages */
 	const struct accel_state *state;
 	const struct accel_mesh *mesh;
 	bool lit;
@@ -210,7 +211,7 @@ struct accel_pass {
 /* ---- mesh.c ---- */
 
 /* -EINVAL: no position array, or an index out of range. */
-int accel_mesh_check(const struct accel_mesh *mesh);
+int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh);
 /* Fills pass->vertex. -EINVAL: something is not finite. */
 int accel_mesh_transform(struct accel_pass *pass);
 int accel_mesh_draw(struct accel_pass *pass);

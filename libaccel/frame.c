@@ -53,35 +53,29 @@ static int job_begin(struct writer *writer)
 	return put(writer, words, 4);
 }
 
-/* What a tile loads and stores; a tile that nothing was drawn on is only cleared. */
-static void tile_frame(const struct writer *writer, const struct accel_tile *tile, uint32_t offset,
-		       struct gloss_tile_begin *begin, struct gloss_tile_end *end)
-{
-	const struct accel_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
-	bool clear_colour = clear->mask & ACCEL_CLEAR_COLOUR;
-	bool clear_depth = clear->mask & ACCEL_CLEAR_DEPTH;
+/* What a surface's tile begins and ends with. */
+struct part {
+	bool load;
+	uint32_t begin;			/* clear value, or offset to load from */
+	enum gloss_tile_output output;
+	uint32_t end;			/* offset to store to */
+};
 
-	*begin = (struct gloss_tile_begin){
-		.colour_load = !clear_colour && tile->uses_colour,
-		.depth_load = !clear_depth && tile->uses_depth,
-	};
-	if (begin->colour_load)
-		begin->colour = offset;
-	else if (clear_colour)
-		begin->colour = clear->colour;
-	if (begin->depth_load)
-		begin->depth = offset;
-	else if (clear_depth)
-		begin->depth = clear->depth;
-	*end = (struct gloss_tile_end){ 0 };
-	if (clear_colour || tile->uses_colour) {
-		end->colour_output = GLOSS_TILE_OUTPUT_STORE;
-		end->colour = offset;
+static struct part part_of(bool clear, uint32_t value, bool uses, bool writes, uint32_t offset)
+{
+	struct part part = { .output = GLOSS_TILE_OUTPUT_DROP };
+
+	if (clear) {
+		part.begin = value;
+	} else if (uses) {
+		part.load = true;
+		part.begin = offset;
 	}
-	if (clear_depth || tile->writes_depth) {
-		end->depth_output = GLOSS_TILE_OUTPUT_STORE;
-		end->depth = offset;
+	if (clear || writes) {
+		part.output = GLOSS_TILE_OUTPUT_STORE;
+		part.end = offset;
 	}
+	return part;
 }
 
 static int tile_records(struct writer *writer, const struct accel_tile *tile)
@@ -96,21 +90,26 @@ static int tile_records(struct writer *writer, const struct accel_tile *tile)
 	return err;
 }
 
+/* A tile that nothing was drawn on is only cleared. */
 static int tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
 {
-	struct gloss_tile_begin begin;
-	struct gloss_tile_end end;
+	const struct accel_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
+	struct part colour = part_of(clear->mask & ACCEL_CLEAR_COLOUR, clear->colour,
+				     tile->uses_colour, tile->uses_colour, offset);
+	struct part depth = part_of(clear->mask & ACCEL_CLEAR_DEPTH, clear->depth,
+				    tile->uses_depth, tile->writes_depth, offset);
 	uint32_t words[1 + GLOSS_TILE_BEGIN_WORDS];
 	int err;
 
-	tile_frame(writer, tile, offset, &begin, &end);
-	gloss_tile_begin_pack(words, &begin);
+	gloss_tile_begin_pack(words, &(struct gloss_tile_begin){ colour.load, depth.load,
+								 colour.begin, depth.begin });
 	err = put(writer, words, 1 + GLOSS_TILE_BEGIN_WORDS);
 	if (!err && tile->drawn)
 		err = tile_records(writer, tile);
 	if (err)
 		return err;
-	gloss_tile_end_pack(words, &end);
+	gloss_tile_end_pack(words, &(struct gloss_tile_end){ colour.output, depth.output,
+							     colour.end, depth.end });
 	return put(writer, words, 1 + GLOSS_TILE_END_WORDS);
 }
 

@@ -75,6 +75,7 @@ static void window_init(struct accel_window *window, const struct accel_state *s
 			int height)
 {
 	double x = 0, y = 0, w = width, h = height;
+	int guard_top = (height - GUARD_HEIGHT) / 2;
 
 	window->visible = (struct accel_rectangle){ 0, 0, width, height };
 	if (state->viewport.width >= 0) {
@@ -96,8 +97,8 @@ static void window_init(struct accel_window *window, const struct accel_state *s
 	window->offset[2] = ((double)state->depth_far + (double)state->depth_near) / 2;
 	window->guard[0] = -GUARD_ACROSS;
 	window->guard[1] = width + GUARD_ACROSS;
-	window->guard[2] = (height - GUARD_HEIGHT) / 2;
-	window->guard[3] = window->guard[2] + GUARD_HEIGHT;
+	window->guard[2] = guard_top;
+	window->guard[3] = guard_top + GUARD_HEIGHT;
 }
 
 void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,

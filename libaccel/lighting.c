@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 /*
  * OpenGL's fixed-function lighting (specification 1.5, section 2.14.1) at a point of a surface, in
- * eye space. The highlight is Blinn's: the half vector between viewer and light, not the reflection.
+ * eye space. The highlight is Blinn's: by the half vector between viewer and light.
  */
 #include <math.h>
 #include <string.h>
 
 #include "draw_priv.h"
 
-/* A highlight below this fraction of full scale changes no pixel, and below this it is not even
- * added; the steps of a channel are 1/255. */
+/* Fractions of full scale: less of a highlight is not worth a split, or even its power function. */
 #define HIGHLIGHT_VISIBLE (2 / 255.0f)
 #define HIGHLIGHT_FAINT (1 / 2048.0f)
 
@@ -40,7 +39,7 @@ static float brightest(const float rgb[3])
 	return fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
 }
 
-/* log2 of a normal number: the exponent, and the series of atanh on the rest, sqrt(1/2) to sqrt(2). */
+/* log2 of a normal number: exponent, and the series of atanh on the rest, sqrt(1/2) to sqrt(2). */
 static float log2_of(float x)
 {
 	uint32_t bits;
@@ -121,7 +120,7 @@ static void lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
 	}
 }
 
-/* The cosine at which @strength * cosine^n has fallen to @level; above 1 if it never is so bright. */
+/* The cosine at which @strength * cosine^n is @level; above 1 if it never is so bright. */
 static float fall_cosine(float strength, float n, float level)
 {
 	if (strength <= level)
@@ -186,8 +185,7 @@ struct point {
 	float normal[3], viewer[3];
 };
 
-/* Turns @to into the direction towards a lamp that is a point; returns how much of its light
- * arrives. */
+/* The direction towards a lamp that is a point; returns how much of its light arrives. */
 static float reach(const struct accel_lamp *lamp, const float eye[3], float to[3],
 		   struct accel_sample *sample)
 {

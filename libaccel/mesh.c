@@ -6,36 +6,53 @@
 
 #include "draw_priv.h"
 
-int accel_mesh_check(const struct accel_mesh *mesh)
+int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 {
-	if (!mesh->position || (unsigned int)mesh->topology > ACCEL_TRIANGLE_FAN)
+	if (!mesh->position || (unsigned int)mesh->topology > ACCEL_TRIANGLE_FAN) {
+		accel_device_message(device, mesh->position ? "a mesh of unknown topology" :
+							      "a mesh without positions");
 		return -EINVAL;
-	for (uint32_t i = 0; mesh->index && i < mesh->indices; i++)
-		if (mesh->index[i] >= mesh->vertices)
+	}
+	for (uint32_t i = 0; mesh->index && i < mesh->indices; i++) {
+		if (mesh->index[i] < mesh->vertices)
+			continue;
+		accel_device_message(device, "index %u is of vertex %u, and the mesh has %u", i,
+				     mesh->index[i], mesh->vertices);
+		return -EINVAL;
+	}
+	return 0;
+}
+
+/* The colour of a vertex without lighting. */
+static int vertex_colour(const float *colour, struct accel_sample *sample)
+{
+	*sample = (struct accel_sample){ .colour = { 1, 1, 1, 1 } };
+	for (int i = 0; i < 4 && colour; i++) {
+		if (!isfinite(colour[i]))
 			return -EINVAL;
+		sample->colour[i] = colour[i] < 0 ? 0 : colour[i] > 1 ? 1 : colour[i];
+	}
 	return 0;
 }
 
 int accel_mesh_transform(struct accel_pass *pass)
 {
 	const struct accel_mesh *mesh = pass->mesh;
+	const float (*normal)[3] = pass->lit ? mesh->normal : NULL;
+	const float (*colour)[4] = pass->lit ? NULL : mesh->colour;
 	int err;
 
 	for (uint32_t i = 0; i < mesh->vertices; i++) {
 		struct accel_vertex *vertex = &pass->vertex[i];
 
 		err = accel_geometry_vertex(&pass->transform, mesh->position[i],
-					    pass->lit && mesh->normal ? mesh->normal[i] : NULL,
-					    vertex);
-		if (err)
+					    normal ? normal[i] : NULL, vertex);
+		if (!err)
+			err = vertex_colour(colour ? colour[i] : NULL, &vertex->sample);
+		if (err) {
+			accel_device_message(pass->device,
+					     "vertex %u of the mesh is not finite", i);
 			return err;
-		vertex->sample = (struct accel_sample){ .colour = { 1, 1, 1, 1 } };
-		for (int j = 0; j < 4 && mesh->colour && !pass->lit; j++) {
-			float colour = mesh->colour[i][j];
-
-			if (!isfinite(colour))
-				return -EINVAL;
-			vertex->sample.colour[j] = colour < 0 ? 0 : colour > 1 ? 1 : colour;
 		}
 	}
 	return 0;
@@ -68,32 +85,28 @@ static int visible_side(const struct accel_state *state, int64_t area)
 	return back && state->two_sided && state->lighting ? 1 : 0;
 }
 
-static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
-			const uint32_t index[3], uint32_t planes)
+static int cull(struct accel_pass *pass)
 {
-	struct accel_corner polygon[ACCEL_POLYGON_MAX];
-	struct accel_vertex flat = *vertex[2];
-	int64_t area = 0;
-	int corners, apex, side, err = 0;
+	pass->stats->culled++;
+	return 0;
+}
 
-	for (int i = 0; i < 3; i++) {
-		accel_geometry_clip_space(&pass->transform, pass->mesh->position[index[i]],
-					  polygon[i].clip);
-		polygon[i].vertex = *vertex[i];
-		polygon[i].vertex.sampled = 0;
-	}
-	flat.sampled = 0;
-	corners = accel_clip_polygon(&pass->transform.window, planes, polygon);
+/* The signed area of a polygon on screen. */
+static int64_t polygon_area(const struct accel_corner *polygon, int corners)
+{
+	int64_t area = 0;
+
 	for (int i = 1; i + 1 < corners; i++)
 		area += accel_surface_area(&polygon[0].vertex, &polygon[i].vertex,
 					   &polygon[i + 1].vertex);
-	side = visible_side(pass->state, area);
-	if (side < 0) {
-		pass->stats->culled++;
-		return 0;
-	}
-	pass->stats->clipped++;
-	apex = accel_clip_apex(polygon, corners);
+	return area;
+}
+
+static int draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
+		    struct accel_vertex *flat, int64_t area, int side)
+{
+	int apex = accel_clip_apex(polygon, corners), err = 0;
+
 	for (int i = 1; i + 1 < corners && !err; i++) {
 		struct accel_vertex *const fan[3] = {
 			&polygon[apex].vertex,
@@ -103,44 +116,70 @@ static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vert
 		int64_t part = accel_surface_area(fan[0], fan[1], fan[2]);
 
 		if (part && (part > 0) == (area > 0))
-			err = accel_split_draw(pass, fan, NULL, &flat, side);
+			err = accel_split_draw(pass, fan, NULL, flat, side);
 	}
 	return err;
+}
+
+static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
+			const uint32_t index[3], uint32_t planes)
+{
+	struct accel_corner polygon[ACCEL_POLYGON_MAX];
+	struct accel_vertex flat = *vertex[2];
+	int64_t area;
+	int corners, side;
+
+	for (int i = 0; i < 3; i++) {
+		accel_geometry_clip_space(&pass->transform, pass->mesh->position[index[i]],
+					  polygon[i].clip);
+		polygon[i].vertex = *vertex[i];
+		polygon[i].vertex.sampled = 0;
+	}
+	flat.sampled = 0;
+	corners = accel_clip_polygon(&pass->transform.window, planes, polygon);
+	area = polygon_area(polygon, corners);
+	side = visible_side(pass->state, area);
+	if (side < 0)
+		return cull(pass);
+	pass->stats->clipped++;
+	return draw_fan(pass, polygon, corners, &flat, area, side);
+}
+
+/* Copies of a triangle's vertices that have its own normal. */
+static void flatten(struct accel_vertex *vertex[3], struct accel_vertex own[3])
+{
+	for (int i = 0; i < 3; i++) {
+		own[i] = *vertex[i];
+		vertex[i] = &own[i];
+	}
+	face_normal(own[0].eye, own[1].eye, own[2].eye, own[0].normal);
+	memcpy(own[1].normal, own[0].normal, sizeof(own[0].normal));
+	memcpy(own[2].normal, own[0].normal, sizeof(own[0].normal));
 }
 
 /* The last of @index is the vertex that gives a flat triangle its colour. */
 static int draw_triangle(struct accel_pass *pass, const uint32_t index[3])
 {
-	struct accel_vertex *vertex[3], own[3];
-	uint32_t outside_any = 0, outside_all = ~0u;
 	bool shared = !pass->lit || pass->mesh->normal;
+	struct accel_vertex *vertex[3], own[3];
+	uint32_t any = 0, all = ~0u;
 	int side;
 
 	pass->stats->triangles_in++;
 	for (int i = 0; i < 3; i++) {
 		vertex[i] = &pass->vertex[index[i]];
-		outside_any |= vertex[i]->outside;
-		outside_all &= vertex[i]->outside;
+		any |= vertex[i]->outside;
+		all &= vertex[i]->outside;
 	}
-	side = -1;
-	if (!outside_all && !(outside_any & ACCEL_OUTSIDE_CLIP))
-		side = visible_side(pass->state,
-				    accel_surface_area(vertex[0], vertex[1], vertex[2]));
-	if (outside_all || (side < 0 && !(outside_any & ACCEL_OUTSIDE_CLIP))) {
-		pass->stats->culled++;
-		return 0;
-	}
-	if (!shared) {
-		for (int i = 0; i < 3; i++) {
-			own[i] = *vertex[i];
-			vertex[i] = &own[i];
-		}
-		face_normal(own[0].eye, own[1].eye, own[2].eye, own[0].normal);
-		memcpy(own[1].normal, own[0].normal, sizeof(own[0].normal));
-		memcpy(own[2].normal, own[0].normal, sizeof(own[0].normal));
-	}
-	if (outside_any & ACCEL_OUTSIDE_CLIP)
-		return draw_clipped(pass, vertex, index, outside_any & ACCEL_OUTSIDE_CLIP);
+	if (all)
+		return cull(pass);
+	if (!shared)
+		flatten(vertex, own);
+	if (any & ACCEL_OUTSIDE_CLIP)
+		return draw_clipped(pass, vertex, index, any & ACCEL_OUTSIDE_CLIP);
+	side = visible_side(pass->state, accel_surface_area(vertex[0], vertex[1], vertex[2]));
+	if (side < 0)
+		return cull(pass);
 	return accel_split_draw(pass, vertex, shared ? index : NULL, vertex[2], side);
 }
 

@@ -149,23 +149,6 @@ static void line_step(const struct accel_line *line, int32_t *x, uint32_t *r)
 	}
 }
 
-static void rows_straight(const struct accel_line *left, const struct accel_line *right, int first,
-			  int end, struct accel_row *row)
-{
-	struct accel_row at;
-
-	if (first >= end)
-		return;
-	at.left = accel_setup_at(left, first, &at.left_r);
-	at.right = accel_setup_at(right, first, &at.right_r);
-	*row++ = at;
-	while (++first < end) {
-		line_step(left, &at.left, &at.left_r);
-		line_step(right, &at.right, &at.right_r);
-		*row++ = at;
-	}
-}
-
 const struct accel_line *accel_setup_line(const struct accel_setup *setup, int row, bool right)
 {
 	if (row >= setup->turn && setup->turn > setup->first && right == setup->right_turns)
@@ -175,11 +158,21 @@ const struct accel_line *accel_setup_line(const struct accel_setup *setup, int r
 
 void accel_setup_rows(const struct accel_setup *setup, int first, int end, struct accel_row *row)
 {
-	int turn = setup->turn < first ? first : setup->turn > end ? end : setup->turn;
+	const struct accel_line *left = &setup->left, *right = &setup->right;
+	struct accel_row at = { 0 };
 
-	rows_straight(&setup->left, &setup->right, first, turn, row);
-	rows_straight(accel_setup_line(setup, turn, false), accel_setup_line(setup, turn, true), turn,
-		      end, row + (turn - first));
+	for (int y = first; y < end; y++) {
+		if (y == first || y == setup->turn) {
+			left = accel_setup_line(setup, y, false);
+			right = accel_setup_line(setup, y, true);
+			at.left = accel_setup_at(left, y, &at.left_r);
+			at.right = accel_setup_at(right, y, &at.right_r);
+		} else {
+			line_step(left, &at.left, &at.left_r);
+			line_step(right, &at.right, &at.right_r);
+		}
+		row[y - first] = at;
+	}
 }
 
 bool accel_setup_draws(const struct accel_setup *setup, const struct accel_rectangle *visible)

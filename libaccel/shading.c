@@ -129,8 +129,8 @@ static bool highlight_near(const struct accel_finish *finish, float shine, float
 
 /* What is known of an edge before its midpoint is lit. */
 struct span {
-	float spread;			/* square of the angle of the normals and of what moves by place */
-	float lamp;			/* square of the angle at which a lamp sees it */
+	float spread;			/* angle of the normals and of what moves, squared */
+	float lamp;			/* angle at which a lamp sees it, squared */
 	float length;			/* on the screen, squared, pixels */
 	float shine;
 	bool even;			/* both ends have the same lights */
@@ -207,10 +207,11 @@ static bool wants_split(const struct accel_pass *pass, const struct accel_vertex
 	bool shines = narrow > HIGHLIGHT_WIDE &&
 		highlight_near(finish, larger(span->shine, middle->sample.shine),
 			       span->spread / 16);
+	bool lit = a->sample.facing || b->sample.facing || middle->sample.facing;
 
 	if (span->length < SPLIT_LENGTH * SPLIT_LENGTH)
 		return false;
-	if ((shines && narrow > HIGHLIGHT_NARROW) || span->lamp > LAMP_NARROW)
+	if ((shines && narrow > HIGHLIGHT_NARROW) || (span->lamp > LAMP_NARROW && lit))
 		return true;
 	if (!shines && span->even && off_line < EXAMINE)
 		return false;
@@ -218,50 +219,51 @@ static bool wants_split(const struct accel_pass *pass, const struct accel_vertex
 	       curve_error(pass, b, middle, a, side) > CURVE;
 }
 
-static void straight(const struct accel_vertex *a, const struct accel_vertex *b, float colour[3])
-{
-	for (int i = 0; i < 3; i++)
-		colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
-}
-
-/* Keeps the curve's control point, which bounds it, inside of what s10.22 holds. */
-static void bound(const float on_line[3], float colour[3])
+/* Moves the curve from the straight line's middle, but not so far that its control point, which
+ * bounds it, is more than s10.22 holds. */
+static void bend_to(float colour[3], const float middle[3])
 {
 	for (int i = 0; i < 3; i++) {
-		float most = (ACCEL_COLOUR_MAX + on_line[i]) / 2;
+		float most = (ACCEL_COLOUR_MAX + colour[i]) / 2;
 
-		colour[i] = colour[i] < most ? colour[i] : most;
+		colour[i] = middle[i] < most ? middle[i] : most;
 	}
+}
+
+/* The second-order curve through the light at the middle. */
+static void sampled_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+			 const struct accel_vertex *b, int side, const struct span *span,
+			 struct accel_edge *edge)
+{
+	bool adaptive = pass->state->shading == ACCEL_SHADING_ADAPTIVE;
+	struct accel_vertex middle;
+	float off_line;
+
+	accel_shading_middle(a, b, &middle);
+	accel_shading_vertex(pass, &middle, side);
+	edge->middle = middle.sample;
+	edge->sampled = true;
+	off_line = deviation(edge->colour, middle.sample.colour);
+	edge->split = adaptive && wants_split(pass, a, &middle, b, side, span, off_line);
+	edge->curved = !adaptive || off_line >= STRAIGHT;
+	if (edge->curved)
+		bend_to(edge->colour, middle.sample.colour);
 }
 
 void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *b, int side, struct accel_edge *edge)
 {
-	bool adaptive = pass->state->shading == ACCEL_SHADING_ADAPTIVE;
-	struct accel_vertex middle;
+	const struct accel_finish *finish = &pass->lighting.finish[side];
 	struct span span;
-	float on_line[3], off_line;
 
 	span_init(pass, a, b, &span);
-	straight(a, b, on_line);
 	*edge = (struct accel_edge){ .spread = span.spread };
 	for (int i = 0; i < 3; i++)
-		edge->colour[i] = on_line[i];
-	if (adaptive && (span.length < CURVE_LENGTH * CURVE_LENGTH ||
-			 (span.even && bend(pass, a, b, &pass->lighting.finish[side], &span) < STRAIGHT)))
-		return;
-	accel_shading_middle(a, b, &middle);
-	accel_shading_vertex(pass, &middle, side);
-	edge->middle = middle.sample;
-	edge->sampled = true;
-	off_line = deviation(on_line, middle.sample.colour);
-	edge->split = adaptive && wants_split(pass, a, &middle, b, side, &span, off_line);
-	edge->curved = !adaptive || off_line >= STRAIGHT;
-	if (!edge->curved)
-		return;
-	for (int i = 0; i < 3; i++)
-		edge->colour[i] = middle.sample.colour[i];
-	bound(on_line, edge->colour);
+		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
+	if (pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
+	    (span.length >= CURVE_LENGTH * CURVE_LENGTH &&
+	     !(span.even && bend(pass, a, b, finish, &span) < STRAIGHT)))
+		sampled_edge(pass, a, b, side, &span, edge);
 }
 
 /* Vertices with neighbouring indices fall on different entries. */

@@ -54,14 +54,14 @@ static int split_one(const struct whole *whole, const struct accel_patch *p, int
 
 	cut_init(whole, p, 0, &cut);
 	inner_edge(whole, &cut.middle, v[2], &inner);
-	err = draw_part(whole, &(struct accel_patch){ { v[0], &cut.middle, v[2] },
-						      { &cut.half[0], &inner, p->edge[2] } },
-			level);
+	err = draw_part(whole, &(struct accel_patch){
+			{ v[0], &cut.middle, v[2] },
+			{ &cut.half[0], &inner, p->edge[2] } }, level);
 	if (err)
 		return err;
-	return draw_part(whole, &(struct accel_patch){ { &cut.middle, v[1], v[2] },
-						       { &cut.half[1], p->edge[1], &inner } },
-			 level);
+	return draw_part(whole, &(struct accel_patch){
+			 { &cut.middle, v[1], v[2] },
+			 { &cut.half[1], p->edge[1], &inner } }, level);
 }
 
 /* Edges 0 and 1: the corner between them, and two from what is left. */
@@ -76,19 +76,19 @@ static int split_two(const struct whole *whole, const struct accel_patch *p, int
 	cut_init(whole, p, 1, &cut[1]);
 	inner_edge(whole, &cut[0].middle, &cut[1].middle, &across);
 	inner_edge(whole, &cut[0].middle, v[2], &inner);
-	err = draw_part(whole, &(struct accel_patch){ { &cut[0].middle, v[1], &cut[1].middle },
-						      { &cut[0].half[1], &cut[1].half[0], &across } },
-			level);
+	err = draw_part(whole, &(struct accel_patch){
+			{ &cut[0].middle, v[1], &cut[1].middle },
+			{ &cut[0].half[1], &cut[1].half[0], &across } }, level);
 	if (err)
 		return err;
-	err = draw_part(whole, &(struct accel_patch){ { &cut[0].middle, &cut[1].middle, v[2] },
-						      { &across, &cut[1].half[1], &inner } },
-			level);
+	err = draw_part(whole, &(struct accel_patch){
+			{ &cut[0].middle, &cut[1].middle, v[2] },
+			{ &across, &cut[1].half[1], &inner } }, level);
 	if (err)
 		return err;
-	return draw_part(whole, &(struct accel_patch){ { v[0], &cut[0].middle, v[2] },
-						       { &cut[0].half[0], &inner, p->edge[2] } },
-			 level);
+	return draw_part(whole, &(struct accel_patch){
+			 { v[0], &cut[0].middle, v[2] },
+			 { &cut[0].half[0], &inner, p->edge[2] } }, level);
 }
 
 /* All edges: three corners and the middle. */

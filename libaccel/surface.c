@@ -41,15 +41,15 @@ static int32_t middle_of(int32_t a, int32_t b, int32_t c)
 void accel_surface_frame(struct accel_frame *frame, const struct accel_vertex *const vertex[3])
 {
 	const struct accel_vertex *a = vertex[0], *b = vertex[1], *c = vertex[2];
-	double one = ACCEL_WINDOW_ONE;
+	double one = ACCEL_WINDOW_ONE, half = one / 2;
 	double inverse = 1 / (double)accel_surface_area(a, b, c);
 	double x, y;
 
 	frame->x = middle_of(a->x, b->x, c->x);
 	frame->y = middle_of(a->y, b->y, c->y);
 	/* From vertex a to the pixel's centre. */
-	x = frame->x * one + ACCEL_WINDOW_HALF - a->x;
-	y = frame->y * one + ACCEL_WINDOW_HALF - a->y;
+	x = frame->x * one + half - a->x;
+	y = frame->y * one + half - a->y;
 	frame->u = (x * (c->y - a->y) - y * (c->x - a->x)) * inverse;
 	frame->v = (y * (b->x - a->x) - x * (b->y - a->y)) * inverse;
 	frame->ux = (c->y - a->y) * one * inverse;
