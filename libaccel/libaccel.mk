@@ -2,9 +2,10 @@
 # The library, shared and static. Lists of objects come from model.mk and draw.mk.
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c \
-	transport_model.c transport_sim.c engine.c range.c option.c) $(wildcard $(DRAW_SOURCES))
+	transport_model.c transport_sim.c engine.c range.c option.c) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread
+ACCEL_VERSION := 0.1
 ACCEL_SONAME := libaccel.so.0
 
 $(BUILD)/libaccel/%.o: libaccel/%.c
@@ -85,9 +86,23 @@ $(BUILD)/sim/accel-sim-%.so: libaccel/sim_wrapper.cpp libaccel/sim_memory.h liba
 .PHONY: sim
 sim: $(SIM_CORES_ALL:%=$(BUILD)/sim/accel-sim-%.so) ## build the simulator plugins of all cores
 
-ifneq ($(wildcard rtl/gloss_core.sv),)
-ALL += $(SIM_CORES:%=$(BUILD)/sim/accel-sim-%.so)
-endif
+ACCEL_SIMS := $(SIM_CORES:%=$(BUILD)/sim/accel-sim-%.so)
+ALL += $(ACCEL_SIMS)
+
+# The directories are written into the file that pkg-config reads.
+.PHONY: install-lib
+install-lib: lib $(ACCEL_SIMS)
+	$(call quiet,INSTALL,libaccel)
+	$(Q)install -d $(DESTDIR)$(PREFIX)/include/gloss $(DESTDIR)$(LIBDIR)/pkgconfig \
+		$(DESTDIR)$(LIBDIR)/gloss
+	$(Q)install -m 644 libaccel/accel.h libaccel/gloss_packets.h $(DESTDIR)$(PREFIX)/include/gloss
+	$(Q)install -m 755 $(BUILD)/$(ACCEL_SONAME) $(DESTDIR)$(LIBDIR)
+	$(Q)ln -sf $(ACCEL_SONAME) $(DESTDIR)$(LIBDIR)/libaccel.so
+	$(Q)install -m 644 $(BUILD)/libaccel.a $(DESTDIR)$(LIBDIR)
+	$(Q)sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(ACCEL_VERSION)|' \
+		libaccel/libaccel.pc.in >$(DESTDIR)$(LIBDIR)/pkgconfig/libaccel.pc
+	$(Q)$(if $(ACCEL_SIMS),install -m 755 $(ACCEL_SIMS) $(DESTDIR)$(LIBDIR)/gloss)
+INSTALLS += install-lib
 
 # Unit tests in C: tests/unit/test_<file>.c may use, or include, any part of the library.
 $(BUILD)/tests/unit/test_%: tests/unit/test_%.c $(BUILD)/libaccel/parts.a
@@ -145,7 +160,16 @@ unit-valgrind-accel: $(VALGRIND_TESTS:%=$(BUILD)/tests/unit/%) $(FAKE_SIMS:%=$(F
 			$(BUILD)/tests/unit/$$test || exit 1; \
 	done
 
-CHECKS += unit-sanitize-accel unit-thread-accel unit-valgrind-accel
+.PHONY: test-install test-readme
+test-install: lib $(ACCEL_SIMS) ## install the library to a directory, and use it from there
+	$(Q)rm -rf $(BUILD)/tests/install/root
+	$(Q)+$(MAKE) --no-print-directory install-lib DESTDIR=$(BUILD)/tests/install/root
+	$(Q)tests/install/test_install.sh $(BUILD)/tests/install/root $(PREFIX) $(LIBDIR) "$(SIM_CORES)"
+
+test-readme: ## the README's program is the example
+	$(Q)tests/install/test_readme.sh $(BUILD)/tests/install
+
+CHECKS += test-install test-readme unit-sanitize-accel unit-thread-accel unit-valgrind-accel
 
 .PHONY: run-test_symbols
 run-test_symbols: $(BUILD)/libaccel.so $(BUILD)/libaccel.a

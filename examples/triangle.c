@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* Three vertices, and a highlight between them: triangle >triangle.ppm */
+#include <accel.h>
+#include <stdio.h>
+
+static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 }, { 0, 0.9f, 0 } };
+static const float normal[3][3] = { { -0.5f, -0.4f, 1 }, { 0.5f, -0.4f, 1 }, { 0, 0.5f, 1 } };
+static const struct accel_mesh mesh = { .vertices = 3, .position = corner, .normal = normal };
+static const struct accel_material gold = { .diffuse = { 0.6f, 0.4f, 0.1f, 1 },
+					    .specular = { 0.6f, 0.6f, 0.5f, 1 }, .shininess = 30 };
+static const struct accel_light lamp = { .enabled = true, .position = { 0, 0, 1, 0 },
+					 .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
+					 .spot_cutoff = 180 };
+
+int main(void)
+{
+	static unsigned char pixel[256 * 256][4];
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_state *state;
+	struct accel_draw *draw;
+
+	if (accel_device_new("auto", NULL, NULL, &device) || accel_draw_new(device, &draw) ||
+	    accel_target_new(device, 256, 256, &target) || accel_state_new(&state) ||
+	    accel_state_set_material(state, &gold, NULL) || accel_state_set_light(state, 0, &lamp))
+		return 1;
+	accel_state_set_lighting(state, true);
+	accel_state_set_local_viewer(state, false);
+	if (accel_draw_mesh(draw, target, state, &mesh) || accel_draw_submit(draw, NULL) ||
+	    accel_target_read_colour(target, pixel, 256 * 4))
+		return 1;
+	printf("P6 256 256 255\n");
+	for (int i = 0; i < 256 * 256; i++)
+		fwrite(pixel[i], 1, 3, stdout);
+
+	accel_draw_free(draw);
+	accel_state_free(state);
+	accel_target_free(target);
+	accel_device_free(device);
+	return 0;
+}
