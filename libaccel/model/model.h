@@ -165,7 +165,7 @@ void model_raster_begin(struct model_walk *walk, const struct model_triangle *tr
 /* The next row with pixels inside @scissor; false: there is none. */
 bool model_raster_next(struct model_walk *walk, const struct model_scissor *scissor,
 		       struct model_span *span);
-/* All rows there are; past them is MODEL_LANES times row 0, so that lanes need not look. */
+/* All rows there are, and past them MODEL_LANES without pixels, so that lanes need not look. */
 void model_raster_spans(const struct model_triangle *triangle, const struct model_scissor *scissor,
 			struct model_spans *spans);
 /* Column at which the triangle's coefficients hold; the row is first_row. */

@@ -70,30 +70,40 @@ bool model_raster_next(struct model_walk *walk, const struct model_scissor *scis
 	return walk_next(walk, scissor, span);
 }
 
-void model_raster_spans(const struct model_triangle *triangle, const struct model_scissor *scissor,
-			struct model_spans *spans)
+/* What the rows come to together, apart from the walk: rows side by side. */
+MODEL_INLINE void sum_up(struct model_spans *spans, int rows)
 {
-	struct model_walk walk;
-	struct model_span span;
-	int rows = 0, longest = 0, blocks = 0, pixels = 0;
+	int lanes = model_lanes(rows), longest = 0, blocks = 0, pixels = 0;
 
-	model_raster_begin(&walk, triangle);
-	for (; walk_next(&walk, scissor, &span); rows++) {
-		int count = span.x1 - span.x0;
-
-		spans->y[rows] = span.y;
-		spans->x0[rows] = span.x0;
-		spans->count[rows] = count;
-		longest = count > longest ? count : longest;
-		blocks += model_lanes(count) / MODEL_LANES;
-		pixels += count;
-	}
 	for (int n = rows; n < rows + MODEL_LANES; n++)
 		spans->y[n] = spans->x0[n] = spans->count[n] = 0;
+	for (int n = 0; n < lanes; n++) {
+		longest = spans->count[n] > longest ? spans->count[n] : longest;
+		blocks += model_lanes(spans->count[n]) / MODEL_LANES;
+		pixels += spans->count[n];
+	}
 	spans->rows = rows;
 	spans->longest = longest;
 	spans->blocks = blocks;
 	spans->pixels = pixels;
+}
+
+MODEL_CLONES
+void model_raster_spans(const struct model_triangle *triangle, const struct model_scissor *scissor,
+			struct model_spans *spans)
+{
+	const struct model_scissor clip = *scissor;
+	struct model_walk walk;
+	struct model_span span;
+	int rows = 0;
+
+	model_raster_begin(&walk, triangle);
+	for (; walk_next(&walk, &clip, &span); rows++) {
+		spans->y[rows] = span.y;
+		spans->x0[rows] = span.x0;
+		spans->count[rows] = span.x1 - span.x0;
+	}
+	sum_up(spans, rows);
 }
 
 int model_raster_anchor(const struct model_triangle *triangle, int tile_size)
