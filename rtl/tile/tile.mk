@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Benches of fragment, tile and memory.
 
-TILE_MODEL := $(addprefix $(BUILD)/libaccel/model/,fragment.o command.o)
-
 # The ends of the parameters for every check, all that are built in the longer target.
 TILE_CORES := 32-1 64-8
 TILE_ALL_CORES := 64-1 64-2 64-4 64-8 32-1 32-2 32-4 32-8
 
 # $(1) stage, $(2) tile size, $(3) lanes, $(4) more sources, $(5) objects
 define tile_bench
-$(BUILD)/rtl/$(1)-$(2)-$(3)/bench: tests/rtl/tb_$(1).cpp tests/rtl/tb.h $(4) \
+$(BUILD)/rtl/$(1)-$(2)-$(3)/bench: tests/rtl/tb_$(1).cpp $(wildcard tests/rtl/$(1)_*.h) tests/rtl/tb.h $(4) \
 		$(wildcard rtl/$(1)/*.sv) rtl/gloss_pkg.sv rtl/gloss_hw.svh $(5)
 	$$(call quiet,RTL,$$@)
 	$(Q)mkdir -p $$(@D)
@@ -20,11 +18,17 @@ $(BUILD)/rtl/$(1)-$(2)-$(3)/bench: tests/rtl/tb_$(1).cpp tests/rtl/tb.h $(4) \
 		rtl/gloss_pkg.sv $(4) $(wildcard rtl/$(1)/*.sv) $$(CURDIR)/tests/rtl/tb_$(1).cpp \
 		$$(addprefix $$(CURDIR)/,$(5)) >$$(@D)/log || { cat $$(@D)/log; exit 1; }
 endef
-$(foreach core,$(TILE_ALL_CORES), \
-	$(eval $(call tile_bench,fragment,$(word 1,$(subst -, ,$(core))),$(word 2,$(subst -, ,$(core))),,$(BUILD)/libaccel/model/fragment.o)))
+define tile_benches
+$(call tile_bench,fragment,$(1),$(2),,$(BUILD)/libaccel/model/fragment.o)
+$(call tile_bench,tile,$(1),$(2),rtl/lib/ram_1r1w.sv rtl/lib/ram_fifo.sv rtl/lib/stream_register.sv)
+endef
+$(foreach core,$(TILE_ALL_CORES),$(eval $(call tile_benches,$(firstword $(subst -, ,$(core))),$(lastword $(subst -, ,$(core))))))
 
-.PHONY: rtl-fragment
+.PHONY: rtl-fragment rtl-tile
 rtl-fragment: $(TILE_CORES:%=$(BUILD)/rtl/fragment-%/bench) ## depth test, masks and counters against the model
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
-CHECKS += rtl-fragment
+rtl-tile: $(TILE_CORES:%=$(BUILD)/rtl/tile-%/bench) ## clear, load, store, answer in stream order, with random stalls
+	$(Q)for bench in $^; do $$bench || exit 1; done
+
+CHECKS += rtl-fragment rtl-tile

@@ -105,7 +105,7 @@ module tile #(
   logic load_bank, load_colour_en, load_depth_en, load_done;
   logic [RowBits-1:0] load_row;
   logic [Width-1:0] load_data;
-  logic [MarkBits-1:0] load_mark;
+  logic [MarkBits-1:0] load_colour_mark, load_depth_mark, load_mark;
   logic [31:0] load_colour, load_depth;
 
   // tile_store
@@ -238,8 +238,10 @@ module tile #(
     .depth_en_o          (load_depth_en),
     .row_o               (load_row),
     .data_o              (load_data),
-    .mark_o              (load_mark),
+    .colour_mark_o       (load_colour_mark),
+    .depth_mark_o        (load_depth_mark),
     .done_o              (load_done),
+    .mark_o              (load_mark),
     .colour_o            (load_colour),
     .depth_o             (load_depth),
     .store_bank_i        (store_bank),
@@ -256,35 +258,37 @@ module tile #(
       .MarkBits(MarkBits),
       .Rows    (Rows)
     ) u_buffer (
-      .clk_i           (clk_i),
-      .rst_ni          (rst_ni),
-      .load_colour_en_i(load_colour_en && load_bank == b),
-      .load_depth_en_i (load_depth_en && load_bank == b),
-      .load_row_i      (load_row),
-      .load_data_i     (load_data),
-      .load_mark_i     (load_mark),
-      .load_done_i     (load_done && load_bank == b),
-      .load_colour_i   (load_colour),
-      .load_depth_i    (load_depth),
-      .draw_read_en_i  (read_en_i && read_bank_i == b),
-      .draw_read_row_i (read_row_i),
-      .draw_write_en_i (write_en_i && write_bank_i == b),
-      .draw_write_row_i(write_row_i),
-      .draw_colour_i   (write_colour_i),
-      .draw_depth_i    (write_depth_i),
-      .draw_done_i     (end_i && end_bank_i == b),
-      .store_read_en_i (store_read_en && store_bank == b),
-      .store_read_row_i(store_row),
-      .store_done_i    (store_done && store_bank == b),
-      .drawn_o         (drawn[b]),
-      .stored_o        (stored[b]),
-      .mark_o          (mark[b*MarkBits+:MarkBits]),
-      .clear_colour_o  (clear_colour[b*32+:32]),
-      .clear_depth_o   (clear_depth[b*32+:32]),
-      .colour_o        (colour[b*Width+:Width]),
-      .depth_o         (depth[b*Width+:Width]),
-      .colour_mark_o   (colour_mark[b*MarkBits+:MarkBits]),
-      .depth_mark_o    (depth_mark[b*MarkBits+:MarkBits])
+      .clk_i             (clk_i),
+      .rst_ni            (rst_ni),
+      .load_colour_en_i  (load_colour_en && load_bank == b),
+      .load_depth_en_i   (load_depth_en && load_bank == b),
+      .load_row_i        (load_row),
+      .load_data_i       (load_data),
+      .load_colour_mark_i(load_colour_mark),
+      .load_depth_mark_i (load_depth_mark),
+      .load_done_i       (load_done && load_bank == b),
+      .load_mark_i       (load_mark),
+      .load_colour_i     (load_colour),
+      .load_depth_i      (load_depth),
+      .draw_read_en_i    (read_en_i && read_bank_i == b),
+      .draw_read_row_i   (read_row_i),
+      .draw_write_en_i   (write_en_i && write_bank_i == b),
+      .draw_write_row_i  (write_row_i),
+      .draw_colour_i     (write_colour_i),
+      .draw_depth_i      (write_depth_i),
+      .draw_done_i       (end_i && end_bank_i == b),
+      .store_read_en_i   (store_read_en && store_bank == b),
+      .store_read_row_i  (store_row),
+      .store_done_i      (store_done && store_bank == b),
+      .drawn_o           (drawn[b]),
+      .stored_o          (stored[b]),
+      .mark_o            (mark[b*MarkBits+:MarkBits]),
+      .clear_colour_o    (clear_colour[b*32+:32]),
+      .clear_depth_o     (clear_depth[b*32+:32]),
+      .colour_o          (colour[b*Width+:Width]),
+      .depth_o           (depth[b*Width+:Width]),
+      .colour_mark_o     (colour_mark[b*MarkBits+:MarkBits]),
+      .depth_mark_o      (depth_mark[b*MarkBits+:MarkBits])
     );
   end
 

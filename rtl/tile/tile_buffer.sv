@@ -20,8 +20,10 @@ module tile_buffer #(
   input  logic                load_depth_en_i,
   input  logic [RowBits-1:0]  load_row_i,
   input  logic [Width-1:0]    load_data_i,
+  input  logic [MarkBits-1:0] load_colour_mark_i,
+  input  logic [MarkBits-1:0] load_depth_mark_i,
+  input  logic                load_done_i,  // from now on the bank is drawn, with this mark and these clear values
   input  logic [MarkBits-1:0] load_mark_i,
-  input  logic                load_done_i,    // from now on the bank is drawn, with these clear values and load_mark_i
   input  logic [31:0]         load_colour_i,
   input  logic [31:0]         load_depth_i,
 
@@ -55,7 +57,6 @@ module tile_buffer #(
   logic [31:0] clear_colour_q, clear_depth_q;
   logic read_en;
   logic [RowBits-1:0] read_row, write_row;
-  logic [MarkBits-1:0] write_mark;
 
   assign drawn_o = drawn_q;
   assign stored_o = stored_q;
@@ -66,7 +67,6 @@ module tile_buffer #(
   assign read_en = drawn_q ? draw_read_en_i : store_read_en_i;
   assign read_row = drawn_q ? draw_read_row_i : store_read_row_i;
   assign write_row = drawn_q ? draw_write_row_i : load_row_i;
-  assign write_mark = drawn_q ? mark_q : load_mark_i;
 
   ram_1r1w #(
     .Width(MarkBits + Width),
@@ -75,7 +75,7 @@ module tile_buffer #(
     .clk_i       (clk_i),
     .write_en_i  (drawn_q ? draw_write_en_i : load_colour_en_i),
     .write_addr_i(write_row),
-    .write_data_i({write_mark, drawn_q ? draw_colour_i : load_data_i}),
+    .write_data_i(drawn_q ? {mark_q, draw_colour_i} : {load_colour_mark_i, load_data_i}),
     .read_en_i   (read_en),
     .read_addr_i (read_row),
     .read_data_o ({colour_mark_o, colour_o})
@@ -88,7 +88,7 @@ module tile_buffer #(
     .clk_i       (clk_i),
     .write_en_i  (drawn_q ? draw_write_en_i : load_depth_en_i),
     .write_addr_i(write_row),
-    .write_data_i({write_mark, drawn_q ? draw_depth_i : load_data_i}),
+    .write_data_i(drawn_q ? {mark_q, draw_depth_i} : {load_depth_mark_i, load_data_i}),
     .read_en_i   (read_en),
     .read_addr_i (read_row),
     .read_data_o ({depth_mark_o, depth_o})

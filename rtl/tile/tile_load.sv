@@ -3,7 +3,7 @@
 // when they have run out, and hands the bank to fragment. Banks take turns.
 //
 // The tiles of a bank are marked 1, 2, ...; after the last mark all rows are given mark 0, which no tile has, and the
-// next tile has mark 1 again. That is done as soon as a bank is free, so mostly no tile waits for it.
+// next tile has mark 1 again. That is done beside a load, or else as soon as the bank is free: mostly no tile waits for it.
 module tile_load #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4,
@@ -36,8 +36,10 @@ module tile_load #(
   output logic                depth_en_o,
   output logic [RowBits-1:0]  row_o,
   output logic [Width-1:0]    data_o,
-  output logic [MarkBits-1:0] mark_o,
+  output logic [MarkBits-1:0] colour_mark_o,
+  output logic [MarkBits-1:0] depth_mark_o,
   output logic                done_o,
+  output logic [MarkBits-1:0] mark_o,
   output logic [31:0]         colour_o,
   output logic [31:0]         depth_o,
 
@@ -58,7 +60,7 @@ module tile_load #(
   logic [RowBits-1:0] row_q;
   logic [31:0] colour_q, depth_q;
 
-  logic take, write, data_valid;
+  logic take, exhausted, write, last, data_valid;
   logic bank_free, behind, colour_free, depth_free;
 
   // tile_fetch leaves room for all it asks for.
@@ -85,14 +87,23 @@ module tile_load #(
   assign depth_free = bank_free || (bank_stored_i && store_bank_i == bank_q
       && (store_depth_gone_i || (store_depth_reads_i && behind)));
 
+  // Marks have run out, and rows may still have any.
+  assign exhausted = bank_mark_i == '1 && !swept_q;
+
   assign take = plan_valid_i && plan_ready_o;
-  assign plan_ready_o = state_q == Idle && (swept_q || bank_mark_i != '1);
+  assign plan_ready_o = state_q == Idle && (!exhausted || plan_colour_load_i || plan_depth_load_i);
 
   assign bank_o = bank_q;
   assign row_o = row_q;
-  assign mark_o = state_q == Sweep ? '0 : (swept_q ? '0 : bank_mark_i) + 1'b1;
+  assign mark_o = bank_mark_i == '1 ? MarkBits'(1) : bank_mark_i + 1'b1;
+  assign colour_mark_o = state_q == Colour ? mark_o : '0;
+  assign depth_mark_o = state_q == Depth ? mark_o : '0;
   assign colour_o = colour_q;
   assign depth_o = depth_q;
+
+  assign write = colour_en_o || depth_en_o;
+  assign last = write && row_q == '1;
+  assign beat_taken_o = write && state_q != Sweep;
 
   always_comb begin
     state_d = state_q;
@@ -102,21 +113,24 @@ module tile_load #(
 
     unique case (state_q)
       Idle: begin
-        if (!plan_ready_o) state_d = Sweep;
-        else if (plan_valid_i) state_d = plan_colour_load_i ? Colour : plan_depth_load_i ? Depth : Done;
+        if (take) state_d = plan_colour_load_i ? Colour : plan_depth_load_i ? Depth : Done;
+        else if (exhausted && (plan_valid_i || bank_free)) state_d = Sweep;
       end
       Sweep: begin
         colour_en_o = colour_free && depth_free;
         depth_en_o = colour_en_o;
-        if (write && row_q == '1) state_d = Idle;
+        if (last) state_d = Idle;
       end
+      // While marks are exhausted, the other part is swept beside the first one that is loaded.
       Colour: begin
-        colour_en_o = colour_free && data_valid;
-        if (write && row_q == '1) state_d = depth_load_q ? Depth : Done;
+        colour_en_o = data_valid && colour_free && (depth_free || !exhausted);
+        depth_en_o = colour_en_o && exhausted;
+        if (last) state_d = depth_load_q ? Depth : Done;
       end
       Depth: begin
-        depth_en_o = depth_free && data_valid;
-        if (write && row_q == '1) state_d = Done;
+        depth_en_o = data_valid && depth_free && (colour_free || !exhausted);
+        colour_en_o = depth_en_o && exhausted;
+        if (last) state_d = Done;
       end
       Done: begin
         done_o = bank_free;
@@ -125,9 +139,6 @@ module tile_load #(
       default: state_d = Idle;
     endcase
   end
-
-  assign write = colour_en_o || depth_en_o;
-  assign beat_taken_o = write && state_q != Sweep;
 
   always_ff @(posedge clk_i) begin
     if (take) begin
@@ -146,7 +157,7 @@ module tile_load #(
     end else begin
       state_q <= state_d;
       if (write) row_q <= row_q + 1'b1;
-      if (state_q == Sweep && write && row_q == '1) swept_q <= 1'b1;
+      if (last) swept_q <= 1'b1;
       if (done_o) begin
         bank_q <= !bank_q;
         swept_q <= 1'b0;
