@@ -28,8 +28,8 @@ define fuzz_run
 	$(Q)mkdir -p $(2)
 	$(Q)seed=$${GLOSS_SEED:-$$(date +%s)}; echo "GLOSS_SEED=$$seed"; \
 	$(BUILD)/fuzz/fuzz_corpus $(2) $$seed 200 && \
-	$(BUILD)/fuzz/fuzz_stream -seed=$$((seed % 4294967295)) $(1) $(FUZZ_FLAGS) $(2) 2>$(BUILD)/fuzz/log || \
-		{ tail -n 60 $(BUILD)/fuzz/log; exit 1; }
+	$(BUILD)/fuzz/fuzz_stream -seed=$$((seed % 4294967295)) $(1) $(FUZZ_FLAGS) $(2) \
+		2>$(BUILD)/fuzz/log || { tail -n 60 $(BUILD)/fuzz/log; exit 1; }
 	$(Q)tail -n 1 $(BUILD)/fuzz/log
 endef
 
@@ -39,6 +39,6 @@ fuzz: $(FUZZ_PROGRAMS) ## streams of any bytes to model and decoder, FUZZ_SECOND
 
 fuzz-short: $(FUZZ_PROGRAMS)
 	$(Q)rm -rf $(BUILD)/fuzz/short
-	$(call fuzz_run,-runs=$(FUZZ_RUNS),$(BUILD)/fuzz/short)
+	$(call fuzz_run,-runs=$(FUZZ_RUNS) -max_total_time=20,$(BUILD)/fuzz/short)
 
 CHECKS += fuzz-short
