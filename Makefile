@@ -48,6 +48,7 @@ include tools/view.mk
 include rtl/raster/raster.mk
 include rtl/command/command.mk
 include rtl/tile/tile.mk
+include tests/stream/stream.mk
 include tests/tests.mk
 
 .PHONY: all deps demo check unit lint install clean help
