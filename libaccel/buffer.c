@@ -140,26 +140,34 @@ int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void 
 	return err;
 }
 
+static int buffer_emit_reads(struct accel_stream *stream, struct accel_buffer *buffer,
+			     uint64_t offset, uint32_t pitch, uint32_t count, uint32_t rows)
+{
+	struct gloss_read_memory packet = { .count = count, .offset = (uint32_t)offset };
+	uint32_t words[1 + GLOSS_READ_MEMORY_WORDS];
+	int slot = accel_stream_slot(stream, buffer, ACCEL_SLOT_READ);
+	int err = slot < 0 ? slot : 0;
+
+	packet.slot = (uint32_t)slot;
+	while (!err && rows--) {
+		gloss_read_memory_pack(words, &packet);
+		err = accel_stream_emit(stream, words, 1 + GLOSS_READ_MEMORY_WORDS);
+		packet.offset += pitch;
+	}
+	return err;
+}
+
 int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
 			   uint32_t count, uint32_t rows, uint32_t *words)
 {
-	struct gloss_read_memory packet = { .count = count, .offset = (uint32_t)offset };
-	uint32_t packed[1 + GLOSS_READ_MEMORY_WORDS];
 	struct accel_stream *stream;
-	uint32_t row;
 	int err;
 
 	err = accel_stream_new(buffer->device, &stream);
 	if (err)
 		return err;
-	err = accel_stream_slot(stream, buffer, ACCEL_SLOT_READ);
-	packet.slot = (uint32_t)err;
-	for (row = 0; row < rows && err >= 0; row++) {
-		gloss_read_memory_pack(packed, &packet);
-		err = accel_stream_emit(stream, packed, 1 + GLOSS_READ_MEMORY_WORDS);
-		packet.offset += pitch;
-	}
-	if (err >= 0)
+	err = buffer_emit_reads(stream, buffer, offset, pitch, count, rows);
+	if (!err)
 		err = accel_stream_submit(stream, words, count * rows, NULL);
 	accel_stream_free(stream);
 	return err;

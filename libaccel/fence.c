@@ -27,8 +27,10 @@ struct accel_fence *accel_fence_new(struct accel_device *device)
 void accel_fence_begin(struct accel_fence *fence, uint64_t sequence,
 		       struct accel_buffer *const *buffer, unsigned int buffers)
 {
-	memcpy(fence->buffer, buffer, buffers * sizeof(*buffer));
-	fence->buffers = buffers;
+	while (fence->buffers < buffers) {
+		fence->buffer[fence->buffers] = buffer[fence->buffers];
+		fence->buffers++;
+	}
 	fence->sequence = sequence;
 	fence->running = true;
 }
