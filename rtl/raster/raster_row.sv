@@ -150,7 +150,7 @@ module raster_row #(
     assign unused = ^{run_first_q, run_last_q, run_low_q, run_high_q};
     assign run_mask = 1'b1;
   end else begin : gen_mask
-    localparam logic [PixelsPerClock-1:0] All = '1;
+    localparam logic [PixelsPerClock-1:0] All = {PixelsPerClock{1'b1}}; // yosys takes '1 for one bit
     assign run_mask = (run_first_q ? All << run_low_q : All) &
                       (run_last_q ? ~((All << 1) << run_high_q) : All);
   end
