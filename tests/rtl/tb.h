@@ -158,7 +158,15 @@ private:
 	unsigned int left = 0, rate = 0;
 };
 
-/* A module under test with ports clk_i and rst_ni. Registers without reset start with random bits. */
+/* A module of registers without reset has no rst_ni. */
+template <class Top> auto tb_reset(Top &top, int level, int) -> decltype(top.rst_ni, void())
+{
+	top.rst_ni = level;
+}
+
+template <class Top> void tb_reset(Top &, int, long) {}
+
+/* A module under test with port clk_i. Registers without reset start with random bits. */
 template <class Top> class Bench {
 public:
 	Bench() : top(prepare(context))
@@ -171,12 +179,12 @@ public:
 	/* Inputs of the first clock after this are still to be set. */
 	void reset()
 	{
-		top.rst_ni = 0;
+		tb_reset(top, 0, 0);
 		top.clk_i = 0;
 		top.eval();
 		tick();
 		tick();
-		top.rst_ni = 1;
+		tb_reset(top, 1, 0);
 	}
 
 	void settle() { top.eval(); }
