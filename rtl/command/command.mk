@@ -48,3 +48,21 @@ rtl-command: $(COMMAND_BENCHES) ## command against the model's checks, with rand
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
 CHECKS += rtl-lib rtl-command
+
+# Figures of the core in clocks; it fails if one misses its aim.
+BENCH_CORES := $(foreach lanes,1 2 4 8,$(BUILD)/sim/accel-sim-t64-k$(lanes).so)
+
+$(BUILD)/tests/bench/bench_core: tests/bench/bench_core.c libaccel/sim.h libaccel/gloss_packets.h
+	$(call quiet,CC,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $< -ldl -o $@
+
+.PHONY: bench-core check-speed
+bench-core: $(BUILD)/tests/bench/bench_core $(BENCH_CORES) ## pixels a clock, clocks a triangle, hidden transfers
+	$(Q)$(call keep_figures,core,$< $(BENCH_CORES))
+
+check-speed: $(BUILD)/tests/bench/bench_core $(BENCH_CORES) ## the core is as fast as it should be
+	$(Q)$< $(BENCH_CORES)
+
+BENCHES += bench-core
+CHECKS += check-speed
