@@ -67,6 +67,9 @@ static struct phong_lamp prepare_lamp(const struct scene *scene, const struct ac
 	}
 	if (!lamp.positional)
 		normalise(lamp.position);
+	memcpy(lamp.half, lamp.position, sizeof(lamp.half));
+	lamp.half[2] += 1;
+	normalise(lamp.half);
 	normalise(lamp.spot_direction);
 	for (int side = 0; side < 2; side++) {
 		product(lamp.ambient[side], light->ambient, scene->material[side].ambient);
@@ -124,6 +127,7 @@ static void add_lamp(const struct phong_fill *fill, const struct phong_lamp *lam
 		     float light[3])
 {
 	float to[3], half[3], cosine, highlight;
+	bool same_half = !lamp->positional && !fill->scene->local_viewer;
 	float factor = reach(lamp, eye, to);
 
 	if (factor == 0)
@@ -135,8 +139,9 @@ static void add_lamp(const struct phong_fill *fill, const struct phong_lamp *lam
 		return;
 	for (int i = 0; i < 3; i++)
 		half[i] = to[i] + viewer[i];
-	normalise(half);
-	highlight = dot(normal, half);
+	if (!same_half)
+		normalise(half);
+	highlight = dot(normal, same_half ? lamp->half : half);
 	highlight = factor * powf(highlight > 0 ? highlight : 0,
 				  fill->scene->material[side].shininess);
 	cosine *= factor;

@@ -16,6 +16,7 @@ struct phong_vertex {
 struct phong_lamp {
 	bool positional, spot;
 	float position[3];		/* or the unit direction towards it */
+	float half[3];			/* of a direction, seen from (0,0,1) */
 	float attenuation[3];
 	float spot_direction[3], spot_exponent, spot_cosine;
 	float ambient[2][3], diffuse[2][3], specular[2][3];	/* times the materials */

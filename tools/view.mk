@@ -30,3 +30,5 @@ LINT_C += $(VIEW_CFLAGS)
 ALL += $(BUILD)/gloss-view
 
 include tests/image/image.mk
+include tests/bench/bench.mk
+include tests/view/view.mk
