@@ -65,23 +65,28 @@ sim_tile = $(patsubst t%,%,$(firstword $(subst -k, ,$(1))))
 sim_lanes = $(lastword $(subst -k, ,$(1)))
 sim_stream = $(patsubst $(sim_lanes):%,%,$(filter $(sim_lanes):%,$(SIM_STREAM_BITS)))
 
+SIM_WRAPPER := $(addprefix libaccel/, sim_wrapper.cpp sim_memory.h sim_port.h sim.h sim.map job.h \
+	gloss_packets.h)
 SIM_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) \
 	-DSIM_TILE=$(call sim_tile,$*) -DSIM_LANES=$(call sim_lanes,$*) \
 	-DSIM_STREAM_BITS=$(call sim_stream,$*)
 
-$(BUILD)/sim/accel-sim-%.so: libaccel/sim_wrapper.cpp libaccel/sim_memory.h libaccel/sim_port.h \
-		libaccel/sim.h libaccel/sim.map libaccel/job.h libaccel/gloss_packets.h \
-		$(RTL_SOURCES) rtl/gloss_hw.svh
+# $(1): the core's sources; the target ends in the core's name.
+define sim_plugin
 	$(call quiet,SIM,$@)
-	@mkdir -p $(BUILD)/sim/$*
+	@mkdir -p $(@D)/$*
 	$(Q)verilator --cc --exe --build -sv -O3 --x-assign fast --x-initial fast --noassert \
 		-Wno-lint -Wno-style -Irtl --top-module gloss_core --prefix Vgloss_core \
 		-GTileSize=$(call sim_tile,$*) -GPixelsPerClock=$(call sim_lanes,$*) \
-		-GStreamBits=$(call sim_stream,$*) --Mdir $(BUILD)/sim/$* \
+		-GStreamBits=$(call sim_stream,$*) --Mdir $(@D)/$* \
 		-MAKEFLAGS 'OPT_FAST="$(CXXFLAGS)"' -CFLAGS '$(SIM_CXXFLAGS)' \
 		-LDFLAGS '-shared -Wl,--version-script=$(abspath libaccel/sim.map)' \
-		$(RTL_SOURCES) $(abspath libaccel/sim_wrapper.cpp) -o $(abspath $@) \
-		>$(BUILD)/sim/$*/log 2>&1 || { cat $(BUILD)/sim/$*/log; exit 1; }
+		$(1) $(abspath libaccel/sim_wrapper.cpp) -o $(abspath $@) \
+		>$(@D)/$*/log 2>&1 || { cat $(@D)/$*/log; exit 1; }
+endef
+
+$(BUILD)/sim/accel-sim-%.so: $(SIM_WRAPPER) $(RTL_SOURCES) rtl/gloss_hw.svh
+	$(call sim_plugin,$(RTL_SOURCES))
 
 .PHONY: sim
 sim: $(SIM_CORES_ALL:%=$(BUILD)/sim/accel-sim-%.so) ## build the simulator plugins of all cores
@@ -129,8 +134,8 @@ $(BUILD)/tests/unit/test_out_of_memory: UNIT_LDFLAGS := $(addprefix -Wl$(comma)-
 # Plugins without a core: one that is right, and some that are wrong in one thing each.
 FAKE_SIM_DIR := $(BUILD)/tests/unit/fake-sim
 FAKE_SIMS := t64-k1 t64-k2 t64-k4 t64-k8 t32-k2 t32-k4
-fake_flags_t64-k2 := -DFAKE_ABI=GLOSS_SIM_ABI+1
-fake_flags_t64-k4 := -DFAKE_VERSION=GLOSS_VERSION+1
+fake_flags_t64-k2 := -DFAKE_LANES=2 -DFAKE_ABI=GLOSS_SIM_ABI+1
+fake_flags_t64-k4 := -DFAKE_LANES=4 -DFAKE_VERSION=GLOSS_VERSION+1
 fake_flags_t32-k2 := -UFAKE_SYMBOL -DFAKE_SYMBOL=gloss_simulator
 fake_flags_t32-k4 := -c
 $(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/fake_sim.c libaccel/sim.h
@@ -140,6 +145,14 @@ run-test_transport_sim: $(FAKE_SIMS:%=$(FAKE_SIM_DIR)/accel-sim-%.so)
 
 ACCEL_TEST_SIMS := $(SIM_DIR)/accel-sim-t64-k8.so $(SIM_DIR)/accel-sim-t32-k1.so
 run-test_transport_sim_core run-test_out_of_memory: $(ACCEL_TEST_SIMS)
+
+# A core that breaks the rules of its ports, for the test of the wrapper that watches them.
+BAD_CORE := $(BUILD)/tests/unit/bad-core/accel-sim-t32-k1.so
+$(BUILD)/tests/unit/bad-core/accel-sim-%.so: tests/unit/bad_core.sv $(SIM_WRAPPER)
+	$(call sim_plugin,tests/unit/bad_core.sv)
+run-test_sim_wrapper: export BAD_CORE := $(BAD_CORE)
+run-test_sim_wrapper: $(BAD_CORE)
+UNIT_TESTS += test_sim_wrapper
 
 # The same tests with the compiler's checks built in, on the plugins of this build.
 SANITIZE_MAKE = $(MAKE) --no-print-directory SIM_DIR=$(SIM_DIR) $(ACCEL_UNIT_TESTS:%=run-%)

@@ -75,7 +75,7 @@ private:
 		uint64_t address;
 		unsigned beats, done;
 		uint64_t due;
-		bool early; /* a read that sees memory as it is when it is asked for */
+		bool early; /* a read of memory as it is when it is asked for, not given */
 		std::vector<Beat> data;
 	};
 
@@ -164,7 +164,7 @@ private:
 			reads_.push_back(
 				burst(core.axi_araddr_o, core.axi_arlen_o, stalls, violation));
 			Burst &burst = reads_.back();
-			burst.early = stalls.on() && stalls.below(2);
+			burst.early = !stalls.on() || stalls.below(2);
 			for (unsigned i = 0; burst.early && i < burst.beats; i++)
 				burst.data.push_back(
 					load(burst.address + uint64_t{ i } * BeatBytes));

@@ -11,6 +11,9 @@
 #ifndef FAKE_VERSION
 #define FAKE_VERSION GLOSS_VERSION
 #endif
+#ifndef FAKE_LANES
+#define FAKE_LANES 1
+#endif
 
 struct gloss_sim {
 	uint64_t seed;
@@ -56,7 +59,7 @@ const struct gloss_sim_ops FAKE_SYMBOL = {
 	.abi = FAKE_ABI,
 	.version = FAKE_VERSION,
 	.tile_size = 64,
-	.pixels_per_clock = 1,
+	.pixels_per_clock = FAKE_LANES,
 	.stream_bits = 32,
 	.create = fake_create,
 	.destroy = fake_destroy,
