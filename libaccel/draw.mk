@@ -4,5 +4,6 @@
 DRAW_SOURCES := $(addprefix libaccel/, draw.c mesh.c geometry.c clip.c lighting.c shading.c split.c \
 	surface.c setup.c record.c bin.c frame.c)
 
-DRAW_UNIT_TESTS := test_setup test_setup_surface test_lighting test_shading test_draw_split
+DRAW_UNIT_TESTS := test_setup test_setup_surface test_geometry test_lighting test_shading \
+	test_draw_split test_draw_clip
 UNIT_TESTS += $(DRAW_UNIT_TESTS)

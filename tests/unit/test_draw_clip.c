@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Parallelograms of two triangles anywhere in clip space, behind the eye too: each pixel whose ray
+ * meets one in view is drawn once.
+ */
+#include "../../libaccel/draw.c"
+
+#include "draw_mesh.h"
+#include "draw_test.h"
+
+#define SIDE 128
+#define RANDOM_SHAPES 3000
+
+static uint8_t counts[SIDE * SIDE];
+
+/* corner + s * along[0] + t * along[1], 0 <= s, t <= 1 */
+struct parallelogram {
+	float corner[3], along[2][3];
+};
+
+struct fixture {
+	struct messages messages;
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_draw *draw;
+	struct accel_state *state;
+	double clip[3][4];		/* of the corner and the two directions */
+};
+
+static int setup(void **state)
+{
+	static struct fixture f;
+
+	f.device = device_open("model:", &f.messages);
+	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
+	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
+	f.state = state_shiny(60);
+	*state = &f;
+	return 0;
+}
+
+static int teardown(void **state)
+{
+	struct fixture *f = *state;
+
+	accel_state_free(f->state);
+	accel_draw_free(f->draw);
+	accel_target_free(f->target);
+	accel_device_free(f->device);
+	return 0;
+}
+
+/* Does the ray through a point of the window, in pixels, meet what is in view? */
+static bool ray_meets(const struct fixture *f, double x, double y)
+{
+	double ndc[2] = { 2 * x / SIDE - 1, 1 - 2 * y / SIDE };
+	double a[2][3], det, s, t, z, w;
+
+	/* clip x = ndc x * clip w, and the same for y: two equations in s and t. */
+	for (int i = 0; i < 2; i++)
+		for (int j = 0; j < 3; j++)
+			a[i][j] = f->clip[j][i] - ndc[i] * f->clip[j][3];
+	det = a[0][1] * a[1][2] - a[0][2] * a[1][1];
+	if (det == 0)
+		return false;
+	s = (a[0][2] * a[1][0] - a[0][0] * a[1][2]) / det;
+	t = (a[0][0] * a[1][1] - a[0][1] * a[1][0]) / det;
+	z = f->clip[0][2] + s * f->clip[1][2] + t * f->clip[2][2];
+	w = f->clip[0][3] + s * f->clip[1][3] + t * f->clip[2][3];
+	return s >= 0 && s <= 1 && t >= 0 && t <= 1 && w > 0 && z >= -w && z <= w;
+}
+
+/* 1 or 0; 2 if it is so near the border that snapping decides. */
+static int ray_counts(const struct fixture *f, int x, int y)
+{
+	bool middle = ray_meets(f, x + 0.5, y + 0.5);
+
+	for (int i = 0; i < 4; i++)
+		if (ray_meets(f, x + 0.5 + (i & 1 ? 0.125 : -0.125),
+			      y + 0.5 + (i & 2 ? 0.125 : -0.125)) != middle)
+			return 2;
+	return middle;
+}
+
+static void clip_corners(struct fixture *f, const struct parallelogram *p)
+{
+	struct accel_transform transform;
+	const float origin[3] = { 0, 0, 0 };
+	double base[4];
+
+	accel_geometry_init(&transform, f->state, SIDE, SIDE);
+	accel_geometry_clip_space(&transform, p->corner, f->clip[0]);
+	accel_geometry_clip_space(&transform, origin, base);
+	for (int i = 0; i < 2; i++) {
+		accel_geometry_clip_space(&transform, p->along[i], f->clip[1 + i]);
+		for (int j = 0; j < 4; j++)
+			f->clip[1 + i][j] -= base[j];
+	}
+}
+
+static void draw_parallelogram(struct fixture *f, const struct parallelogram *p)
+{
+	struct coverage coverage = { SIDE, SIDE, counts, 0, 0 };
+	float position[4][3];
+	const struct accel_mesh mesh = {
+		.topology = ACCEL_TRIANGLE_STRIP,
+		.vertices = 4,
+		.position = position,
+	};
+
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 3; j++)
+			position[i][j] = p->corner[j] + (i & 1 ? p->along[0][j] : 0) +
+					 (i & 2 ? p->along[1][j] : 0);
+	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), 0);
+	memset(counts, 0, sizeof(counts));
+	records_of_bin(&f->draw->bin, coverage_record, &coverage);
+	assert_int_equal(coverage.empty, 0);
+}
+
+static long check_parallelogram(struct fixture *f, const struct parallelogram *p, int n)
+{
+	long covered = 0;
+
+	clip_corners(f, p);
+	draw_parallelogram(f, p);
+	for (int i = 0; i < SIDE * SIDE; i++) {
+		int wanted = ray_counts(f, i % SIDE, i / SIDE);
+
+		if (counts[i] > 1 || (wanted < 2 && counts[i] != wanted))
+			fail_msg("shape %d: pixel %d,%d is drawn %d times, not %d", n, i % SIDE,
+				 i / SIDE, counts[i], wanted);
+		covered += counts[i];
+	}
+	return covered;
+}
+
+static void random_vector(uint64_t *seed, float v[3], float length)
+{
+	for (int i = 0; i < 3; i++)
+		v[i] = (2 * test_unit(seed) - 1) * length;
+}
+
+static void random_shapes_are_drawn_where_rays_meet_them(void **state)
+{
+	struct fixture *f = *state;
+	uint64_t seed = test_seed();
+	struct accel_draw_stats stats;
+	long covered = 0, shapes = 0;
+
+	for (int n = 0; n < RANDOM_SHAPES; n++) {
+		float size = ldexpf(1, test_between(&seed, -2, 10));
+		struct parallelogram p;
+		long now;
+
+		random_vector(&seed, p.corner, size);
+		random_vector(&seed, p.along[0], 2 * size);
+		random_vector(&seed, p.along[1], 2 * size);
+		state_look(f->state, test_unit(&seed) * size);
+		accel_state_set_lighting(f->state, test_below(&seed, 2));
+		now = check_parallelogram(f, &p, n);
+		covered += now;
+		shapes += now > 0;
+	}
+	accel_draw_stats(f->draw, &stats);
+	print_message("%ld shapes with %ld pixels, %llu triangles clipped\n", shapes, covered,
+		      (unsigned long long)stats.clipped);
+	assert_true(shapes > RANDOM_SHAPES / 8);
+	assert_true(stats.clipped > RANDOM_SHAPES / 8);
+}
+
+/* A floor from behind the viewer to beyond the far plane, and to all sides. */
+static void a_floor_without_end_is_drawn_to_the_horizon(void **state)
+{
+	struct fixture *f = *state;
+	const struct parallelogram p = { { -1e6f, -1, 1e6f }, { { 2e6f, 0, 0 }, { 0, 0, -2e6f } } };
+	const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+
+	accel_state_set_modelview(f->state, still);
+	assert_true(check_parallelogram(f, &p, 0) > SIDE * SIDE / 3);
+}
+
+static void what_is_behind_the_viewer_or_beside_the_view_draws_nothing(void **state)
+{
+	struct fixture *f = *state;
+	const struct parallelogram p[] = {
+		{ { -1, -1, 3 }, { { 2, 0, 0 }, { 0, 2, 0 } } },
+		{ { 50, -1, -5 }, { { 2, 0, 0 }, { 0, 2, 0 } } },
+		{ { -1, -1, -3000 }, { { 2, 0, 0 }, { 0, 2, 0 } } },
+	};
+	const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+	struct accel_draw_stats before, after;
+
+	accel_state_set_modelview(f->state, still);
+	for (int i = 0; i < 3; i++) {
+		accel_draw_stats(f->draw, &before);
+		assert_int_equal(check_parallelogram(f, &p[i], i), 0);
+		accel_draw_stats(f->draw, &after);
+		assert_int_equal(after.culled - before.culled, 2);
+		assert_int_equal(after.triangles_in - before.triangles_in, 2);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup_teardown(random_shapes_are_drawn_where_rays_meet_them, setup,
+						teardown),
+		cmocka_unit_test_setup_teardown(a_floor_without_end_is_drawn_to_the_horizon, setup,
+						teardown),
+		cmocka_unit_test_setup_teardown(
+			what_is_behind_the_viewer_or_beside_the_view_draws_nothing, setup,
+			teardown),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
