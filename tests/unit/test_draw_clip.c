@@ -50,36 +50,71 @@ static int teardown(void **state)
 	return 0;
 }
 
-/* Does the ray through a point of the window, in pixels, meet what is in view? */
-static bool ray_meets(const struct fixture *f, double x, double y)
+/* Where the ray through a point of the window meets the plane: in view if all but w are 0 to 1. */
+struct meeting {
+	double s, t, depth, w;
+	bool turned;			/* seen from behind */
+};
+
+static struct meeting ray_meets(const struct fixture *f, double x, double y)
 {
 	double ndc[2] = { 2 * x / SIDE - 1, 1 - 2 * y / SIDE };
-	double a[2][3], det, s, t, z, w;
+	double a[2][3], det, z;
+	struct meeting m;
 
 	/* clip x = ndc x * clip w, and the same for y: two equations in s and t. */
 	for (int i = 0; i < 2; i++)
 		for (int j = 0; j < 3; j++)
 			a[i][j] = f->clip[j][i] - ndc[i] * f->clip[j][3];
 	det = a[0][1] * a[1][2] - a[0][2] * a[1][1];
-	if (det == 0)
-		return false;
-	s = (a[0][2] * a[1][0] - a[0][0] * a[1][2]) / det;
-	t = (a[0][0] * a[1][1] - a[0][1] * a[1][0]) / det;
-	z = f->clip[0][2] + s * f->clip[1][2] + t * f->clip[2][2];
-	w = f->clip[0][3] + s * f->clip[1][3] + t * f->clip[2][3];
-	return s >= 0 && s <= 1 && t >= 0 && t <= 1 && w > 0 && z >= -w && z <= w;
+	m.s = (a[0][2] * a[1][0] - a[0][0] * a[1][2]) / det;
+	m.t = (a[0][0] * a[1][1] - a[0][1] * a[1][0]) / det;
+	z = f->clip[0][2] + m.s * f->clip[1][2] + m.t * f->clip[2][2];
+	m.w = f->clip[0][3] + m.s * f->clip[1][3] + m.t * f->clip[2][3];
+	m.depth = (z / m.w + 1) / 2;
+	m.turned = det < 0;
+	return m;
 }
 
-/* 1 or 0; 2 if it is so near the border that snapping decides. */
+/* Of numbers around a pixel: 1 all are within 0 to 1, 0 none can be, 2 some may. */
+static int within(const double value[5])
+{
+	double low = value[0], high = value[0];
+
+	for (int i = 1; i < 5; i++) {
+		low = fmin(low, value[i]);
+		high = fmax(high, value[i]);
+	}
+	return low >= 0 && high <= 1 ? 1 : high < 0 || low > 1 ? 0 : 2;
+}
+
+/* How often the pixel is to be drawn; 2: it is so near a border that snapping decides. */
 static int ray_counts(const struct fixture *f, int x, int y)
 {
-	bool middle = ray_meets(f, x + 0.5, y + 0.5);
+	double s[5], t[5], depth[5];
+	int behind = 0, turned = 0, each[3];
 
-	for (int i = 0; i < 4; i++)
-		if (ray_meets(f, x + 0.5 + (i & 1 ? 0.125 : -0.125),
-			      y + 0.5 + (i & 2 ? 0.125 : -0.125)) != middle)
-			return 2;
-	return middle;
+	for (int i = 0; i < 5; i++) {
+		double across = i < 4 ? (i & 1 ? 0.125 : -0.125) : 0;
+		double down = i < 4 ? (i & 2 ? 0.125 : -0.125) : 0;
+		struct meeting m = ray_meets(f, x + 0.5 + across, y + 0.5 + down);
+
+		s[i] = m.s;
+		t[i] = m.t;
+		depth[i] = m.depth;
+		behind += m.w < 0;
+		turned += m.turned;
+	}
+	if (behind == 5)
+		return 0;
+	if (behind || turned % 5)
+		return 2;
+	each[0] = within(s);
+	each[1] = within(t);
+	each[2] = within(depth);
+	if (!each[0] || !each[1] || !each[2])
+		return 0;
+	return each[0] == 1 && each[1] == 1 && each[2] == 1 ? 1 : 2;
 }
 
 static void clip_corners(struct fixture *f, const struct parallelogram *p)
