@@ -22,7 +22,6 @@ $(STREAM_RANDOM_OBJS): $(BUILD)/%.o: %.c
 
 -include $(MODEL_OBJS:.o=.d) $(STREAM_RANDOM_OBJS:.o=.d)
 
-# Unit tests; those in C also once more with everything they consist of under sanitizers.
 MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
 MODEL_TEST_SOURCES := tests/unit/reference.c
 
@@ -33,16 +32,6 @@ $(BUILD)/tests/unit/test_model_%: tests/unit/test_model_%.c $(MODEL_TEST_SOURCES
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/stream $(CFLAGS) -MMD -MP -MF $@.d $< \
 		$(MODEL_TEST_SOURCES) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS) -lcmocka -o $@
 
-# The simulator's own test would build simulators anew.
-SANITIZE_TESTS = $(filter-out test_transport_sim_core,$(MODEL_TESTS) $(ACCEL_UNIT_TESTS))
-SANITIZE := -g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-
-.PHONY: unit-sanitize
-unit-sanitize: ## unit tests of library and model under ASan and UBSan
-	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' \
-		$(SANITIZE_TESTS:%=run-%)
-
 UNIT_TESTS += $(MODEL_TESTS)
-CHECKS += unit-sanitize
 
 include tests/fuzz/fuzz.mk
