@@ -117,7 +117,8 @@ void accel_buffer_free(struct accel_buffer *buffer);
  * the copy done.
  * -EINVAL misaligned or outside the buffer, -EIO, -ENODEV.
  */
-int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void *data, uint64_t size);
+int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void *data,
+		       uint64_t size);
 int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, uint64_t size);
 
 /* ---- target: colour and depth to draw on ---- */
@@ -210,7 +211,8 @@ void accel_state_set_scissor(struct accel_state *state, int x, int y, int width,
  */
 void accel_state_set_depth(struct accel_state *state, enum accel_compare func, bool write);
 /* Which channels are written; all by default. */
-void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue, bool alpha);
+void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue,
+				 bool alpha);
 /* Which faces are not drawn, none by default. Front faces are counter-clockwise on screen
  * (NDC, y up). */
 void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
@@ -269,7 +271,8 @@ void accel_draw_free(struct accel_draw *draw);
 
 /* Clears the whole target before what is drawn after; forgets what was drawn before if both
  * are cleared. @mask of ACCEL_CLEAR_*; @depth 0 to 1. */
-int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4], float depth);
+int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4],
+		     float depth);
 
 /*
  * Draws @mesh on @target. All draws between two submits go to one target

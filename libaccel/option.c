@@ -64,8 +64,8 @@ static int option_take(const char *text, size_t length, const struct accel_optio
 	if (equals)
 		option = option_find(options, text, (size_t)(equals - text));
 	if (!option) {
-		accel_transport_say(error, "no option \"%.*s\"", (int)(length < SHOWN ? length : SHOWN),
-				    text);
+		accel_transport_say(error, "no option \"%.*s\"",
+				    (int)(length < SHOWN ? length : SHOWN), text);
 		return -EINVAL;
 	}
 	if (*given & 1u << (option - options)) {

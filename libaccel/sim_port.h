@@ -48,7 +48,7 @@ public:
 
 	bool on() const { return state_ != 0; }
 
-	/* How often each port stalls is another matter for each job: never, seldom, often, mostly. */
+	/* Each job draws anew how often each port stalls: never, seldom, often, mostly. */
 	void begin_job()
 	{
 		static const uint8_t rates[] = { 0, 32, 128, 224 };

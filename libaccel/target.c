@@ -23,8 +23,8 @@ int accel_target_new(struct accel_device *device, int width, int height,
 
 	if (width < 1 || width > ACCEL_TARGET_SIZE_MAX || height < 1 ||
 	    height > ACCEL_TARGET_SIZE_MAX) {
-		accel_device_message(device, "a target of %d x %d pixels: a side has 1 to %d", width,
-				     height, ACCEL_TARGET_SIZE_MAX);
+		accel_device_message(device, "a target of %d x %d pixels: a side has 1 to %d",
+				     width, height, ACCEL_TARGET_SIZE_MAX);
 		return -EINVAL;
 	}
 	target = malloc(sizeof(*target));

@@ -243,7 +243,7 @@ static void a_fault_says_its_cause_and_its_word(void **state)
 		uint32_t offset;
 		const char *message;
 	} wrong[] = {
-		{ { 0xff000000 }, 1, GLOSS_FAULT_OPCODE, 0, "word 0 of its stream: unknown opcode" },
+		{ { 0xff000000 }, 1, GLOSS_FAULT_OPCODE, 0, "word 0 of its stream: unknown op" },
 		{ { 0, 0x02000001, 0 }, 3, GLOSS_FAULT_LENGTH, 1, "wrong length" },
 		{ { 0, 0x02000002, 0x10000, 3 }, 4, GLOSS_FAULT_VALUE, 3, "value out of range" },
 		{ { 0, 0, 0x11000002, 0, 0 }, 5, GLOSS_FAULT_ORDER, 2, "packet not allowed here" },

@@ -94,7 +94,9 @@ int __wrap_munmap(void *at, size_t size)
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
 			  void *(*start)(void *), void *argument)
 {
-	return fails(&threads) ? EAGAIN : __real_pthread_create(thread, attributes, start, argument);
+	if (fails(&threads))
+		return EAGAIN;
+	return __real_pthread_create(thread, attributes, start, argument);
 }
 
 int __wrap_pthread_join(pthread_t thread, void **result)
@@ -218,7 +220,8 @@ static void fail_each_call(const char *name)
 		calls = 0;
 		err = live(name);
 		if (err != -ENOMEM)
-			fail_msg("call %ld of %ld failed, and the answer was %d", failing, all, err);
+			fail_msg("call %ld of %ld failed, and the answer was %d", failing, all,
+				 err);
 		if (blocks || mappings || threads)
 			fail_msg("call %ld of %ld failed and left %ld blocks, %ld mappings, "
 				 "%ld threads", failing, all, blocks, mappings, threads);
