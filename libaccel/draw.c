@@ -209,7 +209,6 @@ int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
 	int err;
 
 	frame_begin(draw);
-	draw->stats.records = draw->bin.records;
 	err = accel_frame_submit(&draw->bin, draw->stream, &draw->target, ACCEL_JOB_WORDS,
 				 &draw->stats, &fence, &sent);
 	if (err && !sent)

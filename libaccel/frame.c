@@ -4,8 +4,9 @@
 
 #include "draw_priv.h"
 
-/* What a tile takes beside its records: begin, state, end. */
-#define TILE_WORDS 16
+/* Words of a job before its first tile, and of a tile beside its records: begin, state, end. */
+#define JOB_WORDS 4
+#define TILE_WORDS 10
 
 struct writer {
 	const struct accel_bin *bin;
@@ -13,6 +14,8 @@ struct writer {
 	const struct accel_target *target;
 	struct accel_tile_state now;	/* as the core has it at this place of the stream */
 	size_t words;			/* of this job */
+	uint64_t words_before, tiles;	/* of the jobs before; of all */
+	bool sent;			/* a job is on the board */
 };
 
 static int put(struct writer *writer, const uint32_t *words, uint32_t count)
@@ -28,7 +31,7 @@ static int job_begin(struct writer *writer)
 	unsigned int rights = ACCEL_SLOT_READ | ACCEL_SLOT_WRITE;
 	int colour = accel_stream_slot(writer->stream, target->colour, rights);
 	int depth = accel_stream_slot(writer->stream, target->depth, rights);
-	uint32_t words[4];
+	uint32_t words[JOB_WORDS];
 
 	if (colour < 0)
 		return colour;
@@ -50,7 +53,7 @@ static int job_begin(struct writer *writer)
 	writer->now.scissor = accel_bin_scissor(0, 0, writer->bin->tile_size,
 						writer->bin->tile_size);
 	writer->words = 0;
-	return put(writer, words, 4);
+	return put(writer, words, JOB_WORDS);
 }
 
 /* What a surface's tile begins and ends with. */
@@ -114,21 +117,27 @@ static int tile_write(struct writer *writer, const struct accel_tile *tile, uint
 }
 
 /* Sends what has been written and waits for it, so that only the last job's fence is left. */
-static int job_end(struct writer *writer, bool *sent)
+static int job_end(struct writer *writer)
 {
 	struct accel_fence *fence;
 	int err = accel_stream_submit(writer->stream, NULL, 0, &fence);
 
 	if (err)
 		return err;
-	*sent = true;
+	writer->sent = true;
+	writer->words_before += writer->words;
 	err = accel_fence_wait(fence, -1, NULL);
 	accel_fence_free(fence);
 	return err;
 }
 
-static int tiles_write(struct writer *writer, size_t job_words, struct accel_draw_stats *stats,
-		       bool *sent)
+static bool job_full(const struct writer *writer, const struct accel_tile *tile, size_t job_words)
+{
+	return writer->words > JOB_WORDS &&
+	       writer->words + tile->words + TILE_WORDS > job_words;
+}
+
+static int tiles_write(struct writer *writer, size_t job_words)
 {
 	const struct accel_bin *bin = writer->bin;
 	int err = job_begin(writer);
@@ -140,16 +149,14 @@ static int tiles_write(struct writer *writer, size_t job_words, struct accel_dra
 
 		if (!tile->drawn && !bin->clear.mask)
 			continue;
-		if (writer->words > TILE_WORDS &&
-		    writer->words + tile->words + TILE_WORDS > job_words) {
-			stats->stream_words += writer->words;
-			err = job_end(writer, sent);
+		writer->tiles++;
+		if (job_full(writer, tile, job_words)) {
+			err = job_end(writer);
 			if (!err)
 				err = job_begin(writer);
 		}
 		if (!err)
 			err = tile_write(writer, tile, y * writer->target->pitch + x * 4);
-		stats->tiles++;
 	}
 	return err;
 }
@@ -161,16 +168,17 @@ int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
 	struct writer writer = { .bin = bin, .stream = stream, .target = target };
 	int err = 0;
 
-	*sent = false;
 	if (bin->columns)
-		err = tiles_write(&writer, job_words, stats, sent);
+		err = tiles_write(&writer, job_words);
 	if (!err)
 		err = accel_stream_submit(stream, NULL, 0, fence);
+	*sent = writer.sent || !err;
 	if (err) {
 		accel_stream_reset(stream);
 		return err;
 	}
-	*sent = true;
-	stats->stream_words += writer.words;
+	stats->tiles = writer.tiles;
+	stats->stream_words = writer.words_before + writer.words;
+	stats->records = bin->records;
 	return 0;
 }
