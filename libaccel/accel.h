@@ -312,7 +312,8 @@ int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t
  * buffer has one slot, whose @rights (of ACCEL_SLOT_*) are those of all calls.
  * -ENOSPC: the table is full; -EINVAL: the buffer is another device's, or no such rights.
  */
-int accel_stream_slot(struct accel_stream *stream, struct accel_buffer *buffer, unsigned int rights);
+int accel_stream_slot(struct accel_stream *stream, struct accel_buffer *buffer,
+		      unsigned int rights);
 /* The words so far, *@count of them; valid until the next call with @stream that is not this
  * one. May be NULL if there are none. */
 const uint32_t *accel_stream_words(const struct accel_stream *stream, size_t *count);
