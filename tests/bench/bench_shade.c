@@ -3,12 +3,18 @@
  * bench_shade MESH...
  *
  * How fast the C model shades by second-order surfaces, and per-pixel Phong in C (tools/phong.h),
- * both built with the same flags. Each draws the same frame, that is the same pixels, and all of
- * its work is counted: clearing, transformation, lighting, set-up, and for the model also binning,
- * packing the stream, checking it and storing tiles. Counted is processor time of the whole
- * process, so threads would gain nothing; the best of many frames. The first mesh's figures are
- * printed as "name value" for make bench.
+ * both built with the same flags, on the same pixels. Two comparisons:
+ *
+ *   pixels  what the model does with the packed stream: checking it, edges, shading, depth test,
+ *           clearing and storing all tiles; against Phong's triangles: edges, depth test, lighting.
+ *           Phong's vertices are not counted, nor its clearing.
+ *   frame   all there is: also vertices, and for the model lighting, set-up, binning, packing.
+ *
+ * Counted is processor time, so threads gain nothing; the model's is that of its own thread. The
+ * ways to draw take turns, and the best time of each counts. Lines "name value" are for make bench.
  */
+#include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +26,22 @@
 
 #define WIDTH 640
 #define HEIGHT 480
-#define SECONDS 1.5			/* for each way of each frame */
-#define FRAMES_MIN 5
+#define SECONDS 4			/* for each scene */
+#define ROUNDS_MIN 5
+
+enum way {
+	PHONG,
+	PHONG_VERTICES,			/* the same without triangles: clearing and vertices */
+	QUADRATIC,
+	ADAPTIVE,
+	WAYS
+};
+
+/* Seconds a frame. */
+struct cost {
+	double frame;			/* of the process */
+	double board;			/* of those, not of the calling thread: the model's */
+};
 
 struct bench {
 	struct scene scene;
@@ -37,45 +57,61 @@ static void die(const char *what)
 	exit(1);
 }
 
-static double processor_time(void)
+static double seconds(clockid_t clock)
 {
 	struct timespec time;
 
-	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+	clock_gettime(clock, &time);
 	return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
 }
 
-static void draw_phong(struct bench *bench)
+static void draw_phong(struct bench *bench, bool triangles)
 {
-	if (phong_draw(&bench->scene, &bench->frame))
+	struct scene scene = bench->scene;
+
+	if (!triangles)
+		scene.mesh.indices = 0;
+	if (phong_draw(&scene, &bench->frame))
 		die("phong_draw failed");
 }
 
-static void draw_quadratic(struct bench *bench)
+static void draw_model(struct bench *bench, enum accel_shading shading)
 {
-	if (scene_draw(&bench->scene, ACCEL_SHADING_QUADRATIC, bench->draw, bench->target, NULL))
+	if (scene_draw(&bench->scene, shading, bench->draw, bench->target, NULL))
 		die("scene_draw failed");
 }
 
-static void draw_adaptive(struct bench *bench)
+static struct cost draw(struct bench *bench, enum way way)
 {
-	if (scene_draw(&bench->scene, ACCEL_SHADING_ADAPTIVE, bench->draw, bench->target, NULL))
-		die("scene_draw failed");
+	double process = seconds(CLOCK_PROCESS_CPUTIME_ID);
+	double caller = seconds(CLOCK_THREAD_CPUTIME_ID);
+	struct cost cost;
+
+	if (way == PHONG || way == PHONG_VERTICES)
+		draw_phong(bench, way == PHONG);
+	else
+		draw_model(bench, way == QUADRATIC ? ACCEL_SHADING_QUADRATIC :
+						     ACCEL_SHADING_ADAPTIVE);
+	caller = seconds(CLOCK_THREAD_CPUTIME_ID) - caller;
+	cost.frame = seconds(CLOCK_PROCESS_CPUTIME_ID) - process;
+	cost.board = cost.frame - caller;
+	return cost;
 }
 
-/* Seconds a frame. */
-static double best(struct bench *bench, void (*draw)(struct bench *bench))
+static void draw_all(struct bench *bench, struct cost best[WAYS])
 {
-	double begin = processor_time(), least = 1e9;
+	double end = seconds(CLOCK_PROCESS_CPUTIME_ID) + SECONDS;
 
-	for (int i = 0; i < FRAMES_MIN || processor_time() - begin < SECONDS; i++) {
-		double start = processor_time(), time;
+	for (enum way way = 0; way < WAYS; way++)
+		best[way] = draw(bench, way);
+	for (int i = 1; i < ROUNDS_MIN || seconds(CLOCK_PROCESS_CPUTIME_ID) < end; i++) {
+		for (enum way way = 0; way < WAYS; way++) {
+			struct cost cost = draw(bench, way);
 
-		draw(bench);
-		time = processor_time() - start;
-		least = time < least ? time : least;
+			best[way].frame = fmin(best[way].frame, cost.frame);
+			best[way].board = fmin(best[way].board, cost.board);
+		}
 	}
-	return least;
 }
 
 static void place(struct bench *bench, const struct mesh *mesh, bool lamp)
@@ -101,41 +137,73 @@ static void place(struct bench *bench, const struct mesh *mesh, bool lamp)
 	matrix_translate(scene->modelview, -centre[0], -centre[1], -centre[2]);
 }
 
-static unsigned int covered(const struct bench *bench)
+/* After draw_all: the last Phong has no triangles. */
+static unsigned int covered(struct bench *bench)
 {
 	unsigned int pixels = 0;
 
+	draw_phong(bench, true);
 	for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++)
 		pixels += phong_covered(&bench->frame, i);
 	return pixels;
 }
 
-static void measure(struct bench *bench, const char *mesh, bool lamp, bool figures)
+/* "torus:24" is ".torus24" in a figure's name, "models/bunny.obj" is ".bunny". */
+static void suffix_of(char suffix[32], const char *mesh)
 {
-	double phong = best(bench, draw_phong);
-	double quadratic = best(bench, draw_quadratic);
-	double adaptive = best(bench, draw_adaptive);
-	double pixels = covered(bench);
 	const char *slash = strrchr(mesh, '/');
-	const char *setting = lamp ? ".lamp" : "";
+	size_t length = 0;
 
-	printf("# %-10s %-17s %6.0f pixels; Mpixel/s: Phong %5.1f, second order %6.1f (x%.1f), "
-	       "adaptive %6.1f (x%.1f)\n", slash ? slash + 1 : mesh,
-	       lamp ? "lamp, perspective" : "one direction", pixels, pixels / phong * 1e-6,
-	       pixels / quadratic * 1e-6, phong / quadratic, pixels / adaptive * 1e-6,
-	       phong / adaptive);
-	if (figures)
-		printf("shade.speed.vs_phong%s %.2f\nshade.mpix_s.phong%s %.1f\n"
-		       "shade.mpix_s.model%s %.1f\n", setting, phong / quadratic, setting,
-		       pixels / phong * 1e-6, setting, pixels / quadratic * 1e-6);
+	suffix[length++] = '.';
+	for (const char *c = slash ? slash + 1 : mesh; *c && *c != '.' && length < 31; c++)
+		if (isalnum((unsigned char)*c))
+			suffix[length++] = (char)tolower((unsigned char)*c);
+	suffix[length] = '\0';
+}
+
+static void measure(struct bench *bench, const char *scene, const char *suffix)
+{
+	struct cost best[WAYS];
+	double pixels, phong;
+
+	draw_all(bench, best);
+	pixels = covered(bench) * 1e-6;
+	phong = best[PHONG].frame - best[PHONG_VERTICES].frame;
+	printf("# %s, %.0f pixels. Mpixel/s, pixels: Phong %.1f, second order %.1f, adaptive %.1f; "
+	       "frame: %.1f, %.1f, %.1f\n", scene, pixels * 1e6, pixels / phong,
+	       pixels / best[QUADRATIC].board, pixels / best[ADAPTIVE].board,
+	       pixels / best[PHONG].frame, pixels / best[QUADRATIC].frame,
+	       pixels / best[ADAPTIVE].frame);
+	printf("shade.speed.vs_phong%s %.2f\nshade.speed.vs_phong.frame%s %.2f\n", suffix,
+	       phong / best[QUADRATIC].board, suffix, best[PHONG].frame / best[QUADRATIC].frame);
+	if (!*suffix)
+		printf("shade.mpix_s.phong %.1f\nshade.mpix_s.model %.1f\n", pixels / phong,
+		       pixels / best[QUADRATIC].board);
 	fflush(stdout);
+}
+
+/* The first mesh's figures have no suffix; its other setting is the only one with a lamp. */
+static void measure_mesh(struct bench *bench, const char *name, bool first)
+{
+	char message[MESH_MESSAGE], suffix[32] = "";
+	struct mesh mesh;
+
+	if (mesh_load(name, false, &mesh, message))
+		die(message);
+	if (!first)
+		suffix_of(suffix, name);
+	place(bench, &mesh, false);
+	measure(bench, name, suffix);
+	if (first) {
+		place(bench, &mesh, true);
+		measure(bench, "the same with a lamp, in perspective", ".lamp");
+	}
+	mesh_free(&mesh);
 }
 
 int main(int argc, char **argv)
 {
-	char message[MESH_MESSAGE];
 	struct bench bench;
-	struct mesh mesh;
 
 	scene_init(&bench.scene, WIDTH, HEIGHT);
 	if (phong_frame_new(&bench.scene, false, &bench.frame))
@@ -144,15 +212,8 @@ int main(int argc, char **argv)
 	    accel_target_new(bench.device, WIDTH, HEIGHT, &bench.target) ||
 	    accel_draw_new(bench.device, &bench.draw))
 		die("can not open the model");
-	for (int i = 1; i < argc; i++) {
-		if (mesh_load(argv[i], false, &mesh, message))
-			die(message);
-		for (int lamp = 0; lamp < 2; lamp++) {
-			place(&bench, &mesh, lamp);
-			measure(&bench, argv[i], lamp, i == 1);
-		}
-		mesh_free(&mesh);
-	}
+	for (int i = 1; i < argc; i++)
+		measure_mesh(&bench, argv[i], i == 1);
 	accel_draw_free(bench.draw);
 	accel_target_free(bench.target);
 	accel_device_free(bench.device);
