@@ -1,0 +1,587 @@
+/* SPDX-License-Identifier: MIT */
+/* The draw calls: what they take, refuse, and put on the target. */
+#include "draw_mesh.h"
+
+#define SIDE 96
+#define WHITE 0xffffffffu
+#define RED 0xff0000ffu
+#define GREEN 0xff00ff00u
+
+struct fixture {
+	struct messages messages;
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_draw *draw;
+	struct accel_state *state;	/* identity: positions are NDC */
+};
+
+static uint32_t pixels[SIDE * SIDE], others[SIDE * SIDE];
+
+static const float black[4] = { 0, 0, 0, 0 };
+
+/* Two triangles over the whole view, counter-clockwise. */
+static const float square[4][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } };
+static const uint32_t square_index[6] = { 0, 1, 2, 0, 2, 3 };
+
+static int setup(void **state)
+{
+	static struct fixture f;
+
+	f.device = device_open("model:", &f.messages);
+	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
+	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
+	assert_int_equal(accel_state_new(&f.state), 0);
+	*state = &f;
+	return 0;
+}
+
+static int teardown(void **state)
+{
+	struct fixture *f = *state;
+
+	accel_state_free(f->state);
+	accel_draw_free(f->draw);
+	accel_target_free(f->target);
+	accel_device_free(f->device);
+	return 0;
+}
+
+static struct accel_mesh square_mesh(void)
+{
+	return (struct accel_mesh){
+		.topology = ACCEL_TRIANGLES,
+		.vertices = 4,
+		.position = square,
+		.indices = 6,
+		.index = square_index,
+	};
+}
+
+static int mesh_draw(struct fixture *f, const struct accel_mesh *mesh)
+{
+	return accel_draw_mesh(f->draw, f->target, f->state, mesh);
+}
+
+/* Clears, draws and reads the colours. */
+static void picture(struct fixture *f, const struct accel_mesh *mesh, uint32_t *colour)
+{
+	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(mesh_draw(f, mesh), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_target_read_colour(f->target, colour, SIDE * 4), 0);
+}
+
+static void assert_all(uint32_t wanted)
+{
+	for (int i = 0; i < SIDE * SIDE; i++)
+		if (pixels[i] != wanted)
+			fail_msg("pixel %d,%d is %08x, not %08x", i % SIDE, i / SIDE, pixels[i],
+				 wanted);
+}
+
+static struct accel_draw_stats stats_of(const struct fixture *f)
+{
+	struct accel_draw_stats stats;
+
+	accel_draw_stats(f->draw, &stats);
+	return stats;
+}
+
+/* ---- what is refused ---- */
+
+static void a_clear_with_a_wrong_argument_is_refused(void **state)
+{
+	struct fixture *f = *state;
+	const float odd[4] = { 0, NAN, 0, 0 };
+
+	assert_int_equal(accel_draw_clear(f->draw, 0, black, 1), -EINVAL);
+	assert_int_equal(accel_draw_clear(f->draw, 4, black, 1), -EINVAL);
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR, NULL, 1), -EINVAL);
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR, odd, 1), -EINVAL);
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, -0.1f), -EINVAL);
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, 1.1f), -EINVAL);
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, NAN), -EINVAL);
+	assert_message(&f->messages, "a clear of mask 2");
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, 1), 0);
+	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR, black, NAN), 0);
+}
+
+static void a_mesh_that_is_none_is_refused(void **state)
+{
+	struct fixture *f = *state;
+	const uint32_t beyond[3] = { 0, 1, 4 };
+	struct accel_mesh mesh = square_mesh();
+
+	mesh.position = NULL;
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	assert_message(&f->messages, "without positions");
+	mesh = square_mesh();
+	mesh.topology = (enum accel_topology)3;
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	assert_message(&f->messages, "topology");
+	mesh = square_mesh();
+	mesh.index = beyond;
+	mesh.indices = 3;
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	assert_message(&f->messages, "index 2 is of vertex 4, and the mesh has 4");
+	assert_int_equal(stats_of(f).triangles_in, 0);
+}
+
+static void a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn(void **state)
+{
+	struct fixture *f = *state;
+	float position[4][3], normal[4][3] = { { 0 } }, colour[4][4] = { { 0 } };
+	struct accel_mesh mesh = square_mesh();
+
+	mesh.position = position;
+	mesh.normal = normal;
+	mesh.colour = colour;
+	memcpy(position, square, sizeof(square));
+	position[3][1] = INFINITY;
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	assert_message(&f->messages, "vertex 3 of the mesh is not finite");
+	position[3][1] = 1;
+	colour[2][3] = NAN;
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	accel_state_set_lighting(f->state, true);
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	normal[1][0] = NAN;
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	assert_int_equal(stats_of(f).triangles_in, 2);
+}
+
+static void a_frame_has_one_target(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+	struct accel_target *other;
+
+	assert_int_equal(accel_target_new(f->device, SIDE, SIDE, &other), 0);
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), -EINVAL);
+	assert_message(&f->messages, "two targets");
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
+	accel_target_free(other);
+}
+
+static void a_target_of_another_device_is_refused(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+	struct messages messages;
+	struct accel_device *device = device_open("model:", &messages);
+	struct accel_target *other;
+
+	assert_int_equal(accel_target_new(device, SIDE, SIDE, &other), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), -EINVAL);
+	assert_message(&f->messages, "another device");
+	accel_target_free(other);
+	accel_device_free(device);
+}
+
+/* ---- what is drawn ---- */
+
+static void without_colours_a_mesh_is_white(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+
+	picture(f, &mesh, pixels);
+	assert_all(WHITE);
+	assert_int_equal(stats_of(f).flat, 2);
+}
+
+static void the_topologies_draw_the_same(void **state)
+{
+	struct fixture *f = *state;
+	const uint32_t strip_index[4] = { 0, 1, 3, 2 };
+	float colour[4][4];
+	struct accel_mesh mesh = square_mesh();
+	uint64_t seed = test_seed();
+
+	for (int i = 0; i < 16; i++)
+		colour[i / 4][i % 4] = (float)test_below(&seed, 100) / 300 + 0.33f;
+	/* The strip has the square's other diagonal, which a plane of colours does not show. */
+	for (int i = 0; i < 4; i++)
+		colour[2][i] = colour[1][i] + colour[3][i] - colour[0][i];
+	mesh.colour = colour;
+	accel_state_set_shading(f->state, ACCEL_SHADING_GOURAUD);
+	accel_state_set_cull(f->state, ACCEL_CULL_BACK);
+	picture(f, &mesh, pixels);
+	mesh.topology = ACCEL_TRIANGLE_FAN;
+	mesh.index = NULL;
+	picture(f, &mesh, others);
+	assert_memory_equal(pixels, others, sizeof(pixels));
+	mesh.topology = ACCEL_TRIANGLE_STRIP;
+	mesh.index = strip_index;
+	mesh.indices = 4;
+	picture(f, &mesh, others);
+	for (int i = 0; i < SIDE * SIDE; i++)
+		for (int byte = 0; byte < 32; byte += 8) {
+			int a = pixels[i] >> byte & 0xff, b = others[i] >> byte & 0xff;
+
+			assert_true(abs(a - b) <= 1);
+		}
+	assert_int_equal(stats_of(f).culled, 0);
+	assert_int_equal(stats_of(f).linear, 2);
+}
+
+static void a_long_strip_turns_no_triangle_over(void **state)
+{
+	struct fixture *f = *state;
+	float position[20][3];
+	const struct accel_mesh mesh = {
+		.topology = ACCEL_TRIANGLE_STRIP,
+		.vertices = 20,
+		.position = position,
+	};
+
+	for (int i = 0; i < 20; i++) {
+		position[i][0] = -1 + 2 * (float)(i / 2) / 9;
+		position[i][1] = i % 2 ? -1 : 1;
+		position[i][2] = 0;
+	}
+	accel_state_set_cull(f->state, ACCEL_CULL_BACK);
+	picture(f, &mesh, pixels);
+	assert_all(WHITE);
+	accel_state_set_cull(f->state, ACCEL_CULL_FRONT);
+	picture(f, &mesh, pixels);
+	assert_all(0);
+	assert_int_equal(stats_of(f).culled, 18);
+}
+
+static void what_is_left_over_of_three_is_not_drawn(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+
+	mesh.indices = 5;
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(stats_of(f).triangles_in, 1);
+	mesh.indices = 2;
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	mesh.indices = 0;
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	mesh.index = NULL;
+	mesh.vertices = 0;
+	mesh.topology = ACCEL_TRIANGLE_FAN;
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(stats_of(f).triangles_in, 1);
+}
+
+static void flat_takes_the_colour_of_the_last_vertex(void **state)
+{
+	struct fixture *f = *state;
+	const float colour[4][4] = { { 1, 1, 1, 1 }, { 1, 1, 1, 1 }, { 1, 0, 0, 1 }, { 1, 0, 0, 1 } };
+	struct accel_mesh mesh = square_mesh();
+
+	mesh.colour = colour;
+	accel_state_set_shading(f->state, ACCEL_SHADING_FLAT);
+	picture(f, &mesh, pixels);
+	assert_all(RED);
+	assert_int_equal(stats_of(f).flat, 2);
+}
+
+static void back_faces_have_their_own_material_if_they_are_two_sided(void **state)
+{
+	struct fixture *f = *state;
+	const float normal[4][3] = { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } };
+	const uint32_t turned[6] = { 2, 1, 0, 3, 2, 0 };
+	const struct accel_material front = { .emission = { 1, 0, 0, 1 }, .diffuse[3] = 1 };
+	const struct accel_material back = { .emission = { 0, 1, 0, 1 }, .diffuse[3] = 1 };
+	struct accel_mesh mesh = square_mesh();
+
+	mesh.normal = normal;
+	assert_int_equal(accel_state_set_material(f->state, &front, &back), 0);
+	accel_state_set_lighting(f->state, true);
+	accel_state_set_two_sided(f->state, true);
+	picture(f, &mesh, pixels);
+	assert_all(RED);
+	mesh.index = turned;
+	picture(f, &mesh, pixels);
+	assert_all(GREEN);
+	accel_state_set_two_sided(f->state, false);
+	picture(f, &mesh, pixels);
+	assert_all(RED);
+}
+
+/* A pyramid's side without normals is as bright as its own plane says. */
+static void a_mesh_without_normals_is_lit_by_its_planes(void **state)
+{
+	struct fixture *f = *state;
+	const float slope[4][3] = { { -1, -1, 1 }, { 1, -1, 1 }, { 1, 1, -1 }, { -1, 1, -1 } };
+	const float normal[4][3] = { { 0, 1, 1 }, { 0, 1, 1 }, { 0, 1, 1 }, { 0, 1, 1 } };
+	struct accel_mesh mesh = square_mesh();
+	struct accel_light light = f->state->light[0];
+
+	light.enabled = true;
+	assert_int_equal(accel_state_set_light(f->state, 0, &light), 0);
+	accel_state_set_lighting(f->state, true);
+	accel_state_set_local_viewer(f->state, false);
+	mesh.position = slope;
+	picture(f, &mesh, pixels);
+	mesh.normal = normal;
+	picture(f, &mesh, others);
+	assert_memory_equal(pixels, others, sizeof(pixels));
+	assert_true((pixels[0] & 0xff) > 100 && (pixels[0] & 0xff) < 200);
+}
+
+static void viewport_and_scissor_bound_what_is_drawn(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+
+	accel_state_set_viewport(f->state, -20, 10, 60, 70);
+	accel_state_set_scissor(f->state, 8, 0, 60, 50);
+	picture(f, &mesh, pixels);
+	for (int i = 0; i < SIDE * SIDE; i++) {
+		int x = i % SIDE, y = i / SIDE;
+		bool inside = x >= 8 && x < 40 && y >= 10 && y < 50;
+
+		assert_int_equal(pixels[i], inside ? WHITE : 0);
+	}
+	accel_state_set_viewport(f->state, 0, 0, 0, 0);
+	picture(f, &mesh, pixels);
+	assert_all(0);
+}
+
+/* The mesh is twice the viewport; the pixels beside it are not the mesh's. */
+static void nothing_is_drawn_beside_the_viewport(void **state)
+{
+	struct fixture *f = *state;
+	float wide[4][3];
+	struct accel_mesh mesh = square_mesh();
+
+	for (int i = 0; i < 12; i++)
+		wide[i / 3][i % 3] = 2 * square[i / 3][i % 3];
+	mesh.position = wide;
+	accel_state_set_viewport(f->state, 30, 40, 20, 10);
+	picture(f, &mesh, pixels);
+	for (int i = 0; i < SIDE * SIDE; i++) {
+		int x = i % SIDE, y = i / SIDE;
+
+		assert_int_equal(pixels[i], x >= 30 && x < 50 && y >= 40 && y < 50 ? WHITE : 0);
+	}
+}
+
+static void depth_functions_and_masks_are_kept(void **state)
+{
+	struct fixture *f = *state;
+	float near[4][3];
+	const float red[4][4] = { { 1, 0, 0, 1 }, { 1, 0, 0, 1 }, { 1, 0, 0, 1 }, { 1, 0, 0, 1 } };
+	struct accel_mesh mesh = square_mesh(), front = square_mesh();
+
+	memcpy(near, square, sizeof(near));
+	for (int i = 0; i < 4; i++)
+		near[i][2] = -0.5f;
+	front.position = near;
+	front.colour = red;
+	accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);
+	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(mesh_draw(f, &front), 0);
+	picture(f, &mesh, others);
+	/* picture cleared both; behind red, white is not seen. */
+	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(mesh_draw(f, &front), 0);
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_all(RED);
+	/* In the next frame what was drawn is still there. */
+	accel_state_set_depth(f->state, ACCEL_COMPARE_GREATER, false);
+	accel_state_set_colour_mask(f->state, false, false, true, false);
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_all(RED | 0xff0000);
+	assert_int_equal(accel_target_read_depth(f->target, pixels, SIDE * 4), 0);
+	assert_all(0x3fffff + 1);
+}
+
+static void clear_values_are_rounded(void **state)
+{
+	struct fixture *f = *state;
+	const float rgba[4] = { 0.5f, -3, 7, 1 / 255.0f };
+	struct accel_mesh nothing = square_mesh();
+
+	nothing.indices = 0;
+	assert_int_equal(accel_draw_clear(f->draw, 3, rgba, 0.5f), 0);
+	assert_int_equal(mesh_draw(f, &nothing), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_all(0x01ff0080);
+	assert_int_equal(accel_target_read_depth(f->target, pixels, SIDE * 4), 0);
+	assert_all(0x800000);
+}
+
+/* ---- frames ---- */
+
+static void a_frame_without_a_mesh_is_sent_and_does_nothing(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_fence *fence = NULL;
+	struct accel_fence_status status;
+
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
+	assert_non_null(fence);
+	assert_int_equal(accel_fence_wait(fence, -1, &status), 0);
+	assert_int_equal(status.fault, 0);
+	accel_fence_free(fence);
+	assert_int_equal(stats_of(f).tiles, 0);
+}
+
+static void counts_are_those_of_the_frame(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+
+	picture(f, &mesh, pixels);
+	assert_int_equal(stats_of(f).triangles_in, 2);
+	assert_int_equal(stats_of(f).tiles, 4);
+	assert_true(stats_of(f).records >= 4);
+	assert_true(stats_of(f).stream_words > stats_of(f).records);
+	/* Until the next frame begins. */
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(stats_of(f).triangles_in, 2);
+	assert_int_equal(stats_of(f).tiles, 0);
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(stats_of(f).triangles_in, 4);
+}
+
+static void a_target_may_go_before_its_frame_is_sent(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+	struct accel_target *other;
+	struct accel_fence *fence;
+
+	assert_int_equal(accel_target_new(f->device, 300, 20, &other), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
+	accel_target_free(other);
+	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	accel_fence_free(fence);
+	/* And a draw may go with a frame in it. */
+	assert_int_equal(accel_target_new(f->device, 300, 20, &other), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
+	accel_target_free(other);
+}
+
+static void free_takes_null(void **state)
+{
+	(void)state;
+	accel_draw_free(NULL);
+}
+
+/* ---- anything ---- */
+
+static float random_float(uint64_t *seed)
+{
+	static const float special[] = { 0, -0.0f, 1, 3e38f, -3e38f, 1e-45f, 1e20f, 1e-20f };
+
+	if (!test_below(seed, 30))
+		return special[test_below(seed, 8)];
+	return ldexpf((float)(int)test_below(seed, 2001) / 1000 - 1,
+		      (int)test_below(seed, 12) - 4);
+}
+
+static void random_state(uint64_t *seed, struct accel_state *s)
+{
+	struct accel_material material = { .shininess = (float)test_below(seed, 1001) };
+	struct accel_light light = { .enabled = true, .attenuation[0] = 1, .spot_cutoff = 180 };
+
+	state_look(s, random_float(seed));
+	for (int i = 0; i < 4; i++) {
+		material.specular[i] = random_float(seed);
+		material.emission[i] = random_float(seed);
+		light.position[i] = random_float(seed);
+		light.specular[i] = random_float(seed);
+		light.diffuse[i] = random_float(seed);
+	}
+	if (test_below(seed, 2)) {
+		light.spot_cutoff = (float)test_below(seed, 91);
+		light.spot_exponent = (float)test_below(seed, 129);
+		light.spot_direction[1] = random_float(seed);
+	}
+	assert_int_equal(accel_state_set_material(s, &material, NULL), 0);
+	assert_int_equal(accel_state_set_light(s, (int)test_below(seed, 8), &light), 0);
+	accel_state_set_lighting(s, test_below(seed, 4));
+	accel_state_set_two_sided(s, test_below(seed, 2));
+	accel_state_set_local_viewer(s, test_below(seed, 2));
+	accel_state_set_cull(s, (enum accel_cull)test_below(seed, 3));
+	accel_state_set_shading(s, (enum accel_shading)test_below(seed, 4));
+	accel_state_set_depth(s, (enum accel_compare)test_below(seed, 8), test_below(seed, 2));
+	accel_state_set_colour_mask(s, test_below(seed, 2), true, test_below(seed, 2), true);
+	accel_state_set_viewport(s, (int)test_below(seed, 200) - 100, (int)test_random(seed) % 300,
+				 (int)test_random(seed) % 500, (int)test_below(seed, 3000));
+	accel_state_set_scissor(s, (int)test_random(seed) % 99, -5, (int)test_random(seed) % 99, 80);
+}
+
+static void whatever_is_drawn_the_board_takes_it(void **state)
+{
+	struct fixture *f = *state;
+	uint64_t seed = test_seed();
+	uint64_t drawn = 0;
+	int taken = 0;
+
+	for (int n = 0; n < 3000; n++) {
+		float position[12][3], normal[12][3], colour[12][4];
+		const struct accel_mesh mesh = {
+			.topology = (enum accel_topology)test_below(&seed, 3),
+			.vertices = 12,
+			.position = position,
+			.normal = test_below(&seed, 2) ? normal : NULL,
+			.colour = test_below(&seed, 2) ? colour : NULL,
+		};
+
+		for (int i = 0; i < 36; i++) {
+			position[i / 3][i % 3] = random_float(&seed);
+			normal[i / 3][i % 3] = random_float(&seed);
+		}
+		for (int i = 0; i < 48; i++)
+			colour[i / 4][i % 4] = random_float(&seed);
+		random_state(&seed, f->state);
+		taken += !mesh_draw(f, &mesh);
+		if (test_below(&seed, 3))
+			accel_draw_clear(f->draw, 1 + test_below(&seed, 3), black, 0.5f);
+		if (n % 4 == 3)
+			assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+		drawn += stats_of(f).records;
+	}
+	print_message("%d of 3000 meshes were taken\n", taken);
+	assert_true(taken > 1000 && drawn > 1000);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+		TEST(a_clear_with_a_wrong_argument_is_refused),
+		TEST(a_mesh_that_is_none_is_refused),
+		TEST(a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn),
+		TEST(a_frame_has_one_target),
+		TEST(a_target_of_another_device_is_refused),
+		TEST(without_colours_a_mesh_is_white),
+		TEST(the_topologies_draw_the_same),
+		TEST(a_long_strip_turns_no_triangle_over),
+		TEST(what_is_left_over_of_three_is_not_drawn),
+		TEST(flat_takes_the_colour_of_the_last_vertex),
+		TEST(back_faces_have_their_own_material_if_they_are_two_sided),
+		TEST(a_mesh_without_normals_is_lit_by_its_planes),
+		TEST(viewport_and_scissor_bound_what_is_drawn),
+		TEST(nothing_is_drawn_beside_the_viewport),
+		TEST(depth_functions_and_masks_are_kept),
+		TEST(clear_values_are_rounded),
+		TEST(a_frame_without_a_mesh_is_sent_and_does_nothing),
+		TEST(counts_are_those_of_the_frame),
+		TEST(a_target_may_go_before_its_frame_is_sent),
+		TEST(free_takes_null),
+		TEST(whatever_is_drawn_the_board_takes_it),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

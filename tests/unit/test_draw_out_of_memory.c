@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Draws a frame once for each allocation in it and lets that one fail: the call says so, nothing
+ * is left behind, and the same draw can go on. The linker puts the functions below in place of the
+ * C library's (-Wl,--wrap).
+ */
+#include "draw_mesh.h"
+
+#define SIDE 256
+
+static long calls, failing;		/* the call that fails, from 1; 0: none */
+static long blocks;			/* that are there now */
+
+static bool fails(void)
+{
+	return ++calls == failing;
+}
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void __real_free(void *block);
+
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+void __wrap_free(void *block);
+
+void *__wrap_malloc(size_t size)
+{
+	void *block = fails() ? NULL : __real_malloc(size);
+
+	blocks += block != NULL;
+	return block;
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+	void *block = fails() ? NULL : __real_calloc(count, size);
+
+	blocks += block != NULL;
+	return block;
+}
+
+void *__wrap_realloc(void *block, size_t size)
+{
+	void *now = fails() ? NULL : __real_realloc(block, size);
+
+	blocks += now && !block;
+	return now;
+}
+
+void __wrap_free(void *block)
+{
+	blocks -= block != NULL;
+	__real_free(block);
+}
+
+static struct shape shape;
+static uint32_t wanted[SIDE * SIDE], got[SIDE * SIDE];
+
+struct fixture {
+	struct messages messages;
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_state *state;
+};
+
+/* Every call of a frame, to the first error. */
+static int frame(const struct fixture *f, struct accel_draw *draw)
+{
+	const float grey[4] = { 0.2f, 0.2f, 0.2f, 1 };
+	int err = accel_draw_clear(draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, grey, 1);
+
+	if (!err)
+		err = accel_draw_mesh(draw, f->target, f->state, &shape.mesh);
+	if (!err)
+		err = accel_draw_clear(draw, ACCEL_CLEAR_DEPTH, NULL, 1);
+	if (!err)
+		err = accel_draw_mesh(draw, f->target, f->state, &shape.mesh);
+	return err ? err : accel_draw_submit(draw, NULL);
+}
+
+/* The frame with the @fail'th allocation failing, then again without. */
+static void check(const struct fixture *f, long fail)
+{
+	long before = blocks;
+	struct accel_draw *draw = NULL;
+	int err;
+
+	calls = 0;
+	failing = fail;
+	err = accel_draw_new(f->device, &draw);
+	if (!err)
+		err = frame(f, draw);
+	failing = 0;
+	assert_int_equal(err, fail && calls >= fail ? -ENOMEM : 0);
+	if (draw) {
+		assert_int_equal(frame(f, draw), 0);
+		assert_int_equal(accel_target_read_colour(f->target, got, SIDE * 4), 0);
+		assert_memory_equal(got, wanted, sizeof(got));
+	}
+	accel_draw_free(draw);
+	assert_int_equal(blocks, before);
+}
+
+static void a_failed_allocation_is_reported_and_leaves_a_draw_that_works(void **unused)
+{
+	struct fixture f;
+	struct accel_draw *draw;
+	long count;
+
+	(void)unused;
+	shape_torus(&shape, 24);
+	f.device = device_open("model:tile=32", &f.messages);
+	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
+	f.state = state_shiny(60);
+	calls = 0;
+	assert_int_equal(accel_draw_new(f.device, &draw), 0);
+	assert_int_equal(frame(&f, draw), 0);
+	count = calls;
+	assert_int_equal(accel_target_read_colour(f.target, wanted, SIDE * 4), 0);
+	accel_draw_free(draw);
+	assert_true(count > 10);
+	/* 0: none fails. */
+	for (long fail = 0; fail <= count; fail++)
+		check(&f, fail);
+	accel_state_free(f.state);
+	accel_target_free(f.target);
+	accel_device_free(f.device);
+	print_message("%ld allocations\n", count);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_failed_allocation_is_reported_and_leaves_a_draw_that_works),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
