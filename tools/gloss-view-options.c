@@ -13,6 +13,11 @@
 #define DEFAULT_MATERIAL "ivory"
 #define TURNTABLE_MAX 9999
 
+void view_error(const char *what, const char *where, const char *hint)
+{
+	fprintf(stderr, "gloss-view: %s: %s: %s\n", what, where, hint);
+}
+
 /* ---- values: each says whether it understood ---- */
 
 static bool set_device(struct view_options *options, const char *value)
@@ -300,8 +305,6 @@ static int parse_options(struct view_options *options, int argc, char **argv)
 	}
 	opterr = 0;
 	while (ret == VIEW_OK && !options->done) {
-		const char *word = argv[optind];
-
 		switch (getopt_long(argc, argv, ":", known, &index)) {
 		case -1:
 			return VIEW_OK;
@@ -309,9 +312,10 @@ static int parse_options(struct view_options *options, int argc, char **argv)
 			ret = apply(options, &list[index], optarg);
 			break;
 		case ':':
-			return bad_usage("value missing", word, "see gloss-view --help");
+			return bad_usage("value missing", argv[optind - 1], "see gloss-view --help");
 		default:
-			return bad_usage("unknown option", word, "see gloss-view --help");
+			return bad_usage("unknown option", argv[optind - 1],
+					 "see gloss-view --help");
 		}
 	}
 	return ret;

@@ -4,11 +4,6 @@
 #include "gloss-view.h"
 #include "output.h"
 
-void view_error(const char *what, const char *where, const char *hint)
-{
-	fprintf(stderr, "gloss-view: %s: %s: %s\n", what, where, hint);
-}
-
 /* Draws one picture, and writes it if it is wanted. */
 static int draw_one(struct view *view)
 {

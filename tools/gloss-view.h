@@ -44,11 +44,10 @@ struct view {
 	uint64_t clocks;		/* of the last frame, 0: not known */
 };
 
-/* Prints "gloss-view: what: where: hint". */
-void view_error(const char *what, const char *where, const char *hint);
-
 /* gloss-view-options.c: VIEW_OK or VIEW_USAGE, after a message. */
 int view_options_parse(struct view_options *options, int argc, char **argv);
+/* Prints "gloss-view: what: where: hint". */
+void view_error(const char *what, const char *where, const char *hint);
 
 /* gloss-view-material.c */
 const struct accel_material *view_material_find(const char *name);

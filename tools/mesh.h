@@ -23,8 +23,15 @@ struct mesh {
 int mesh_load(const char *name, bool smooth, struct mesh *mesh, char message[MESH_MESSAGE]);
 void mesh_free(struct mesh *mesh);
 
-/* -ENOMEM; arrays are not initialised. */
+/* Arrays of zeros. -ENOMEM */
 int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh);
+
+/*
+ * Gives smooth normals to those of the vertices from number @vertex on that have normals of no
+ * length; vertices at the same place get the same. The triangles from number @triangle on are
+ * theirs, and have no other corners. -ENOMEM
+ */
+int mesh_smooth(struct mesh *mesh, uint32_t vertex, uint32_t triangle);
 
 /* A box's middle, and the radius of the sphere around it that holds all vertices. */
 void mesh_bounds(const struct mesh *mesh, float centre[3], float *radius);

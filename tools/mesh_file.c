@@ -60,10 +60,13 @@ static int check_scene(const struct aiScene *scene, const char *path,
 	return 0;
 }
 
-/* Steps that leave triangles with positions and normals in one coordinate system. */
+/*
+ * Steps that leave triangles with positions and normals in one coordinate system. Not
+ * aiProcess_GenSmoothNormals, which is wrong where faces share vertices, as in PLY and glTF (5.2.5).
+ */
 static const unsigned int steps = aiProcess_RemoveComponent | aiProcess_Triangulate |
 				  aiProcess_SortByPType | aiProcess_PreTransformVertices |
-				  aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices;
+				  aiProcess_JoinIdenticalVertices;
 
 static const struct aiScene *import(const char *path, bool smooth, unsigned int flags)
 {
@@ -93,18 +96,17 @@ static void count(const struct aiScene *scene, uint64_t *vertices, uint64_t *tri
 	}
 }
 
-/* A vertex of nothing but degenerate triangles gets no normal that is a number. */
-static void set_normal(float out[3], const struct aiVector3D *normal)
+static void set(float out[3], const struct aiVector3D *vector)
 {
-	bool good = isfinite(normal->x) && isfinite(normal->y) && isfinite(normal->z);
-
-	out[0] = good ? normal->x : 0;
-	out[1] = good ? normal->y : 0;
-	out[2] = good ? normal->z : 1;
+	out[0] = vector->x;
+	out[1] = vector->y;
+	out[2] = vector->z;
 }
 
-static void append(struct mesh *mesh, const struct aiMesh *part)
+static int append(struct mesh *mesh, const struct aiMesh *part)
 {
+	uint32_t vertex = mesh->vertices, triangle = mesh->triangles;
+
 	for (unsigned int i = 0; i < part->mNumFaces; i++) {
 		for (int corner = 0; corner < 3; corner++)
 			mesh->triangle[mesh->triangles][corner] =
@@ -112,11 +114,12 @@ static void append(struct mesh *mesh, const struct aiMesh *part)
 		mesh->triangles++;
 	}
 	for (unsigned int i = 0; i < part->mNumVertices; i++, mesh->vertices++) {
-		mesh->position[mesh->vertices][0] = part->mVertices[i].x;
-		mesh->position[mesh->vertices][1] = part->mVertices[i].y;
-		mesh->position[mesh->vertices][2] = part->mVertices[i].z;
-		set_normal(mesh->normal[mesh->vertices], &part->mNormals[i]);
+		set(mesh->position[mesh->vertices], &part->mVertices[i]);
+		if (part->mNormals)
+			set(mesh->normal[mesh->vertices], &part->mNormals[i]);
 	}
+	/* STL files may have normals that are all zero. */
+	return mesh_smooth(mesh, vertex, triangle);
 }
 
 static int convert(const struct aiScene *scene, const char *path, struct mesh *mesh,
@@ -132,8 +135,13 @@ static int convert(const struct aiScene *scene, const char *path, struct mesh *m
 	if (mesh_new((uint32_t)vertices, (uint32_t)triangles, mesh))
 		return refuse(message, -ENOMEM, "out of memory", path, "give a smaller mesh");
 	mesh->vertices = mesh->triangles = 0;
-	for (unsigned int i = 0; i < scene->mNumMeshes; i++)
-		append(mesh, scene->mMeshes[i]);
+	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
+		if (append(mesh, scene->mMeshes[i])) {
+			mesh_free(mesh);
+			return refuse(message, -ENOMEM, "out of memory", path,
+				      "give a smaller mesh");
+		}
+	}
 	return 0;
 }
 

@@ -19,10 +19,15 @@ NMSE_MESHES := sphere:1 sphere:2 sphere:3 torus:24 torus:48 $(MODELS)/bunny.obj
 GOLDEN_SIMS := t64-k8 t32-k1
 GOLDEN_DEVICES := model: model:tile=32 sim: sim:tile=32,lanes=1
 
-.PHONY: nmse golden
+.PHONY: nmse nmse-table golden
 nmse: $(BUILD)/tests/image/nmse ## quality against per-pixel Phong, as a table
 	@mkdir -p $(BUILD)/bench
 	$(Q)$< --figure $(BUILD)/bench/nmse.txt model: $(NMSE_MESHES)
+
+nmse-table: $(BUILD)/tests/image/nmse
+	$(Q)$< --markdown model: $(NMSE_MESHES) >$(BUILD)/nmse.md
+	$(Q)sed -i -e '/^<!-- nmse -->$$/,/^<!-- end -->$$/{//!d}' -e '/^<!-- nmse -->$$/r $(BUILD)/nmse.md' \
+		docs/figures.md
 
 golden: $(BUILD)/tests/image/golden $(GOLDEN_SIMS:%=$(SIM_DIR)/accel-sim-%.so) ## pictures that must not change; tests/image/refresh makes them anew
 	$(Q)for device in $(GOLDEN_DEVICES); do \

@@ -1,6 +1,28 @@
 # SPDX-License-Identifier: MIT
-# The demo, and gloss-view as a stranger meets it.
+# The demo, gloss-view as a stranger meets it, and tests of its parts.
 
-.PHONY: demo-run
+.PHONY: demo-run view
 demo-run: $(BUILD)/gloss-view $(SIM_DIR)/accel-sim-t64-k8.so
 	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) tests/view/demo $(BUILD)/gloss-view $(MODELS)/bunny.obj $(BUILD)/demo
+
+view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
+	$(Q)tests/view/run $(abspath $<) $(MODELS)
+
+# test_view_* take the viewer in, the others what it is made of.
+VIEW_TESTS := test_mesh test_phong test_picture test_view_window
+
+$(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(VIEW_OBJS) \
+		$(SCENE_OBJS) $(BUILD)/libaccel.a
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d $< $(VIEW_OBJS) \
+		$(SCENE_OBJS) $(BUILD)/libaccel.a -lcmocka $(SCENE_LIBS) $$(pkg-config --libs sdl2) -o $@
+
+$(VIEW_TESTS:%=run-%): run-%: $(BUILD)/tests/view/%
+	$(call quiet,TEST,$*)
+	$(Q)$<
+
+-include $(VIEW_TESTS:%=$(BUILD)/tests/view/%.d)
+
+UNIT_TESTS += $(VIEW_TESTS)
+CHECKS += view
