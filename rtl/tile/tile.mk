@@ -21,14 +21,21 @@ endef
 define tile_benches
 $(call tile_bench,fragment,$(1),$(2),,$(BUILD)/libaccel/model/fragment.o)
 $(call tile_bench,tile,$(1),$(2),rtl/lib/ram_1r1w.sv rtl/lib/ram_fifo.sv rtl/lib/stream_register.sv)
+$(call tile_bench,memory,$(1),$(2),rtl/lib/ram_1r1w.sv)
 endef
 $(foreach core,$(TILE_ALL_CORES),$(eval $(call tile_benches,$(firstword $(subst -, ,$(core))),$(lastword $(subst -, ,$(core))))))
 
-.PHONY: rtl-fragment rtl-tile
+.PHONY: rtl-fragment rtl-tile rtl-memory rtl-tile-all
 rtl-fragment: $(TILE_CORES:%=$(BUILD)/rtl/fragment-%/bench) ## depth test, masks and counters against the model
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
 rtl-tile: $(TILE_CORES:%=$(BUILD)/rtl/tile-%/bench) ## clear, load, store, answer in stream order, with random stalls
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
-CHECKS += rtl-fragment rtl-tile
+rtl-memory: $(TILE_CORES:%=$(BUILD)/rtl/memory-%/bench) ## copies of all alignments, AXI4 rules, errors
+	$(Q)for bench in $^; do $$bench || exit 1; done
+
+rtl-tile-all: $(foreach stage,fragment tile memory,$(TILE_ALL_CORES:%=$(BUILD)/rtl/$(stage)-%/bench)) ## the three for every core that is built, and longer
+	$(Q)for bench in $^; do $$bench 400 || exit 1; done
+
+CHECKS += rtl-fragment rtl-tile rtl-memory

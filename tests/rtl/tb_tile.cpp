@@ -320,6 +320,30 @@ static void tiles_in_stream_order(TileBench &bench, int tiles)
 	}
 }
 
+/* A load of one row that the tile before stores, its first or last, with the same and another pitch. */
+static void loads_wait_for_the_one_row_in_common(TileBench &bench)
+{
+	bench.stalls = false;
+	bench.memory.late(100);
+	for (uint32_t pitch = 1; pitch <= 3; pitch++) {
+		for (uint32_t other = pitch; other <= pitch + 1; other++) {
+			Surface low = { 0, unit * pitch };
+			Surface high = { low.pitch * (TILE - 1), unit * other };
+
+			for (bool up : { false, true }) {
+				bench.work.begin(bench.steps, false, false, { 1, 0 }, { 2, 0 });
+				bench.work.draw(bench.steps, 0, rows);
+				bench.work.end(bench.steps, GLOSS_TILE_OUTPUT_DROP, GLOSS_TILE_OUTPUT_STORE,
+					       { 0, 0 }, up ? low : high);
+				bench.work.begin(bench.steps, true, false, up ? high : low, { 3, 0 });
+				bench.work.end(bench.steps, GLOSS_TILE_OUTPUT_ANSWER, GLOSS_TILE_OUTPUT_DROP,
+					       { 0, 0 }, { 0, 0 });
+			}
+		}
+	}
+	bench.run();
+}
+
 /* More tiles than there are marks, in both banks, with rows of them written long ago. */
 static void cleared_rows_show_no_former_tile(TileBench &bench)
 {
@@ -369,6 +393,7 @@ int main(int argc, char **argv)
 	int tiles = argc > 1 ? atoi(argv[1]) : 40;
 
 	tiles_in_stream_order(bench, tiles);
+	loads_wait_for_the_one_row_in_common(bench);
 	cleared_rows_show_no_former_tile(bench);
 	memory_is_hidden_behind_drawing(bench);
 	printf("tb_tile: T %d, K %d passed, %" PRIu64 " clocks\n", TILE, LANES, bench.clocks);

@@ -25,6 +25,13 @@ public:
 		address = ANY_TIME;
 	}
 
+	/* Writes come late and reads look early: a load that does not wait for a store shows. */
+	void late(int clocks)
+	{
+		steady(clocks);
+		early_read = true;
+	}
+
 	void unkind()
 	{
 		latency_min = random.between(1, 10);
