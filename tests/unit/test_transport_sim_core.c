@@ -48,7 +48,9 @@ static void compare(struct side *sim, struct side *model, const uint32_t *words,
 {
 	side_run(sim, words, count);
 	side_run(model, words, count);
-	assert_int_equal(sim->result, model->result);
+	if (sim->result != model->result)
+		fail_msg("the core: %d (%s); the model: %d (%s)", sim->result, sim->messages.last,
+			 model->result, model->messages.last);
 	assert_int_equal(sim->status.fault, model->status.fault);
 	assert_int_equal(sim->status.offset, model->status.offset);
 	assert_int_equal(sim->status.response_words, model->status.response_words);
