@@ -312,7 +312,8 @@ static int parse_options(struct view_options *options, int argc, char **argv)
 			ret = apply(options, &list[index], optarg);
 			break;
 		case ':':
-			return bad_usage("value missing", argv[optind - 1], "see gloss-view --help");
+			return bad_usage("value missing", argv[optind - 1],
+					 "see gloss-view --help");
 		default:
 			return bad_usage("unknown option", argv[optind - 1],
 					 "see gloss-view --help");

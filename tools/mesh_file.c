@@ -61,8 +61,8 @@ static int check_scene(const struct aiScene *scene, const char *path,
 }
 
 /*
- * Steps that leave triangles with positions and normals in one coordinate system. Not
- * aiProcess_GenSmoothNormals, which is wrong where faces share vertices, as in PLY and glTF (5.2.5).
+ * Steps that leave triangles with positions and normals in one coordinate system. Not with
+ * aiProcess_GenSmoothNormals, wrong in 5.2.5 where faces share vertices, as in PLY and glTF.
  */
 static const unsigned int steps = aiProcess_RemoveComponent | aiProcess_Triangulate |
 				  aiProcess_SortByPType | aiProcess_PreTransformVertices |

@@ -119,7 +119,9 @@ static void flat_shapes_have_the_normals_of_their_faces(void **state)
 
 static void shapes_fill_the_unit_sphere(void **state)
 {
-	static const char *const names[] = { "sphere", "sphere:0", "torus:8", "cube", "plane", "plane:7" };
+	static const char *const names[] = {
+		"sphere", "sphere:0", "torus:8", "cube", "plane", "plane:7",
+	};
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++) {
@@ -267,7 +269,8 @@ static void a_message_is_one_line_of_three_parts(void **state)
 
 	(void)state;
 	assert_int_equal(mesh_load("/nowhere/m.obj", false, &mesh, message), -ENOENT);
-	assert_string_equal(message, "can not open mesh: /nowhere/m.obj: No such file or directory");
+	assert_string_equal(message,
+			    "can not open mesh: /nowhere/m.obj: No such file or directory");
 	memset(name, 'n', sizeof(name));
 	name[sizeof(name) - 1] = '\0';
 	assert_int_equal(mesh_load(name, false, &mesh, message), -ENAMETOOLONG);
