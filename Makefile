@@ -19,7 +19,7 @@ ACCEL_CFLAGS := -std=gnu11 $(WARN) -ffp-contract=off -Ilibaccel
 
 ifeq ($(V),0)
 Q := @
-quiet = @printf '  %-8s %s\n' $(1) $(2)
+quiet = @printf '  %-8s %s\n' '$(1)' '$(2)'
 else
 Q :=
 quiet = @:

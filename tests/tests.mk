@@ -18,6 +18,7 @@ LINT_FLAGS = -std=gnu11 -Ilibaccel -Itools $(LINT_C)
 
 lint-tidy: check-generated ## clang-tidy on the C sources
 	$(call quiet,TIDY,libaccel tools)
+	@mkdir -p $(BUILD)/check
 	$(Q)clang-tidy --quiet $(LINT_SOURCES) -- $(LINT_FLAGS) 2>$(BUILD)/check/tidy.log || \
 		{ cat $(BUILD)/check/tidy.log; exit 1; }
 
