@@ -165,7 +165,7 @@ static uint32_t outside(const struct accel_window *window, const double clip[4])
 	return bits;
 }
 
-/* Rounds a coordinate to 1/16 pixel; the guard band's borders are whole pixels. */
+/* Rounds a coordinate to 1/16 pixel; the guard band's borders are whole pixels. NaN is low. */
 static int32_t snap(double pixel, double low, double high)
 {
 	const double one = 1 << ACCEL_SNAP_BITS;
@@ -178,15 +178,16 @@ static int32_t snap(double pixel, double low, double high)
 void accel_geometry_project(const struct accel_window *window, const double clip[4],
 			    struct accel_vertex *vertex)
 {
-	double inverse = 1 / clip[3];
+	/* Clipping may miss by the rounding of its largest number. */
+	double w = clip[3] > EYE_W_MIN ? clip[3] : EYE_W_MIN, inverse = 1 / w;
 	double z = clip[2] * inverse * window->scale[2] + window->offset[2];
 
 	vertex->x = snap(clip[0] * inverse * window->scale[0] + window->offset[0],
 			 window->guard[0], window->guard[1]);
 	vertex->y = snap(clip[1] * inverse * window->scale[1] + window->offset[1],
 			 window->guard[2], window->guard[3]);
-	vertex->w = (float)clip[3];
-	vertex->z = z < 0 ? 0 : z > 1 ? 1 : z;
+	vertex->w = (float)w;
+	vertex->z = z > 0 ? (z < 1 ? z : 1) : 0;
 }
 
 /* false: something is too large for a float. */
