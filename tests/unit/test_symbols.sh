@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The library exports the functions of accel.h, shared and static, and nothing else: test_symbols.sh BUILD
+# The library exports the functions of accel.h, shared and static, and nothing else, and is C
+# alone: test_symbols.sh BUILD
 set -eu
 build=$1
 out=$build/tests/unit/symbols
@@ -27,5 +28,9 @@ needed=$(readelf -d "$build/libaccel.so" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p
 case $needed in
 *stdc++*) echo "the library needs C++: $needed"; failed=1 ;;
 esac
+if ${MAKE:-make} -nB lib BUILD="$build" 2>&1 | grep -i -e 'c++' -e verilat; then
+	echo "the library does not build with a C compiler alone"
+	failed=1
+fi
 readelf -d "$build/libaccel.so" | grep -q 'SONAME.*\[libaccel.so.0\]' || { echo "no soname"; failed=1; }
 exit $failed
