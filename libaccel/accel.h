@@ -255,10 +255,11 @@ struct accel_mesh {
 #define ACCEL_CLEAR_COLOUR 1u
 #define ACCEL_CLEAR_DEPTH 2u
 
-/* What became of the triangles of a draw; counts since accel_draw_new or _submit. */
+/* What became of the triangles of a frame; zero again when the next one begins. */
 struct accel_draw_stats {
 	uint64_t triangles_in;		/* before clipping, culling and splitting */
-	uint64_t culled, clipped;
+	uint64_t culled;		/* out of view, turned away, or between the pixels */
+	uint64_t clipped;		/* cut, and what is left drawn */
 	uint64_t flat, linear, second_order;	/* drawn, after splitting */
 	uint64_t split;			/* triangles that were split */
 	uint64_t records;		/* TRIANGLE packets: a triangle in a tile */
@@ -267,17 +268,26 @@ struct accel_draw_stats {
 };
 
 int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
+/* Forgets a frame that was not submitted. */
 void accel_draw_free(struct accel_draw *draw);
 
-/* Clears the whole target before what is drawn after; forgets what was drawn before if both
- * are cleared. @mask of ACCEL_CLEAR_*; @depth 0 to 1. */
+/*
+ * Clears the whole target before what is drawn after; forgets what was drawn before if both
+ * are cleared. @mask of ACCEL_CLEAR_*; @depth 0 to 1; @rgba may be NULL if colour is not cleared.
+ * -EINVAL: none of these. The target is that of accel_draw_mesh, of a mesh without triangles too;
+ * a frame without one clears nothing. After -ENOMEM the frame is empty.
+ */
 int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4],
 		     float depth);
 
 /*
  * Draws @mesh on @target. All draws between two submits go to one target
- * (-EINVAL otherwise). -EINVAL also: an index out of range, coordinates that
- * are not finite, or no position array.
+ * (-EINVAL otherwise), which may be freed before the frame is submitted.
+ * -EINVAL also: an index out of range, coordinates that are not finite, or no
+ * position array; nothing of the mesh is drawn then. After -ENOMEM the frame is empty.
+ *
+ * Pixels are covered by OpenGL's rule, vertices rounded to 1/16 pixel. Shading
+ * changes neither coverage nor depth, so passes with different shading meet.
  */
 int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh);
@@ -286,9 +296,10 @@ int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats);
 
 /*
- * Sends the frame to the board. On success *@fence, if @fence is not NULL, is
- * the caller's to wait for and free; with NULL the call waits itself.
- * -EIO the board refused the stream, -ENODEV.
+ * Sends the frame to the board and begins the next. On success *@fence, if @fence
+ * is not NULL, is the caller's to wait for and free; with NULL the call waits itself.
+ * -EIO the board refused the stream, -ENODEV. If nothing could be sent (-ENOMEM, -ENODEV) the
+ * frame is still there; after any other result it is empty.
  */
 int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
 
