@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Triangles split at random: whichever edges are split, and however deep, the parts draw the
+ * pixels of the triangle once each, and no other.
+ */
+#include "draw_test.h"
+
+/* Chance decides what an edge needs, instead of light. */
+static void chance_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+			const struct accel_vertex *b, int side, struct accel_edge *edge);
+
+#define accel_shading_edge chance_edge
+#include "../../libaccel/split.c"
+
+#define WIDTH 128
+#define HEIGHT 2048
+
+static uint8_t counts[2][WIDTH * HEIGHT];
+static uint64_t seed;
+static uint32_t split_odds;		/* in 16 */
+
+static void chance_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+			const struct accel_vertex *b, int side, struct accel_edge *edge)
+{
+	(void)pass;
+	(void)side;
+	*edge = (struct accel_edge){ .split = test_below(&seed, 16) < split_odds };
+	for (int i = 0; i < 3; i++)
+		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
+}
+
+struct fixture {
+	struct accel_state *state;
+	struct accel_bin bin;
+	struct accel_draw_stats stats;
+	struct accel_pass pass;
+};
+
+static int setup(void **state)
+{
+	static struct fixture f;
+
+	memset(&f, 0, sizeof(f));
+	seed = test_seed();
+	assert_int_equal(accel_state_new(&f.state), 0);
+	accel_bin_init(&f.bin, 64);
+	f.pass = (struct accel_pass){ .state = f.state, .bin = &f.bin, .stats = &f.stats };
+	f.pass.transform.window.visible = (struct accel_rectangle){ 0, 0, WIDTH, HEIGHT };
+	*state = &f;
+	return 0;
+}
+
+static int teardown(void **state)
+{
+	struct fixture *f = *state;
+
+	accel_bin_free(&f->bin);
+	accel_state_free(f->state);
+	return 0;
+}
+
+/* Draws the triangle whole or in parts, and counts; returns how many parts there were. */
+static uint64_t draw_counted(struct fixture *f, struct accel_vertex *const vertex[3], uint32_t odds,
+			     uint8_t *count)
+{
+	struct coverage coverage = { WIDTH, HEIGHT, count, 0, 0 };
+
+	split_odds = odds;
+	f->stats = (struct accel_draw_stats){ 0 };
+	memset(count, 0, WIDTH * HEIGHT);
+	assert_int_equal(accel_bin_begin(&f->bin, WIDTH, HEIGHT), 0);
+	accel_bin_state(&f->bin, f->state, &f->pass.transform.window.visible);
+	assert_int_equal(accel_split_draw(&f->pass, vertex, NULL, vertex[2], 0), 0);
+	records_of_bin(&f->bin, coverage_record, &coverage);
+	assert_int_equal(coverage.empty, 0);
+	return f->stats.flat + f->stats.linear + f->stats.second_order;
+}
+
+static uint64_t check(struct fixture *f, struct accel_vertex node[3], uint32_t odds)
+{
+	struct accel_vertex *const vertex[3] = { &node[0], &node[1], &node[2] };
+	uint64_t parts;
+
+	draw_counted(f, vertex, 0, counts[0]);
+	parts = draw_counted(f, vertex, odds, counts[1]);
+	if (memcmp(counts[0], counts[1], sizeof(counts[0])))
+		fail_msg("(%d,%d) (%d,%d) (%d,%d): %llu parts draw other pixels", node[0].x,
+			 node[0].y, node[1].x, node[1].y, node[2].x, node[2].y,
+			 (unsigned long long)parts);
+	return parts;
+}
+
+static void parts_of_random_triangles_cover_the_triangle(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_vertex node[3];
+	uint64_t parts = 0;
+
+	for (int n = 0; n < 1500; n++) {
+		int size = 1 << test_between(&seed, 4, 12);
+
+		for (int i = 0; i < 3; i++)
+			node[i] = vertex_at(test_between(&seed, 0, size),
+					    test_between(&seed, 0, size));
+		if (accel_surface_area(&node[0], &node[1], &node[2]))
+			parts += check(f, node, (uint32_t)test_between(&seed, 2, 12));
+	}
+	assert_true(parts > 5000);
+}
+
+/* As tall as edges can be: the height of an edge from a midpoint has digits too many. */
+static void parts_of_tall_triangles_cover_the_triangle(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_vertex node[3];
+	uint64_t parts = 0;
+
+	for (int n = 0; n < 300; n++) {
+		node[0] = vertex_at(test_between(&seed, 0, WIDTH * 16), 0);
+		node[1] = vertex_at(test_between(&seed, 0, WIDTH * 16), HEIGHT * 16);
+		node[2] = vertex_at(test_between(&seed, 0, WIDTH * 16), test_between(&seed, 0, 3));
+		if (accel_surface_area(&node[0], &node[1], &node[2]))
+			parts += check(f, node, 4);
+	}
+	assert_true(parts > 1000);
+}
+
+static void splitting_ends_at_the_last_level(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_vertex node[3] = { vertex_at(0, 0), vertex_at(0, 8192),
+					vertex_at(2048, 8192) };
+
+	/* Every edge, at every level. */
+	assert_int_equal(check(f, node, 16), 4096);
+	assert_int_equal(f->stats.split, 1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup_teardown(parts_of_random_triangles_cover_the_triangle, setup,
+						teardown),
+		cmocka_unit_test_setup_teardown(parts_of_tall_triangles_cover_the_triangle, setup,
+						teardown),
+		cmocka_unit_test_setup_teardown(splitting_ends_at_the_last_level, setup, teardown),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
