@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps one edge of a triangle down the rows, exactly: x is the first pixel of the row that is not left of the edge and
-// r what the division left over. To the next row r += m, x += step, and if r >= dy then r -= dy and x += 1.
+// Steps one edge of a triangle down the rows, exactly: x is the first pixel of the row that is not
+// left of the edge and r what the division left over. To the next row r += m, x += step, and if r
+// >= dy then r -= dy and x += 1.
 //
-// The remainder goes one step ahead of x, so that neither waits for the other: the carry of a step of r is used by the
-// step of x after it.
+// The remainder goes one step ahead of x, so that neither waits for the other: the carry of a step
+// of r is used by the step of x after it.
 module raster_edge (
   input  logic                   clk_i,
 
@@ -28,8 +29,8 @@ module raster_edge (
   logic [16:0]           drop_q; // m - dy
   logic                  carry_q;
 
-  // Both outcomes side by side. r + m loses its carry before it is compared with dy, as the interface says; so r was
-  // large enough if taking dy away borrowed as often as adding m carried.
+  // Both outcomes side by side. r + m loses its carry before it is compared with dy, as the
+  // interface says; so r was large enough if taking dy away borrowed as often as adding m carried.
   logic [16:0] stay, dropped;
   logic        carry;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the rows of a triangle's record, whatever form it was sent in, and keeps the state that triangles use. At
-// RENDER_GO the whole record is offered to raster_walk and raster_row; when both have copied it, rows of the next one
-// are taken, one a clock, while this one is drawn.
+// Collects the rows of a triangle's record, whatever form it was sent in, and keeps the state that
+// triangles use. At RENDER_GO the whole record is offered to raster_walk and raster_row; when both
+// have copied it, rows of the next one are taken, one a clock, while this one is drawn.
 //
-// Shade may read the record in the clocks after row_take_i, and relies on this: the next record's header comes 1 clock
-// after it at the earliest and so depth changes after 2 clocks, alpha and colours after 3.
+// Shade may read the record in the clocks after row_take_i, and relies on this: the next record's
+// header comes 1 clock after it at the earliest and so depth changes after 2 clocks, alpha and
+// colours after 3.
 module raster_load #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32,

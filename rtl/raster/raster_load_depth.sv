@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The depth part of a record. Wide: 40 bits each, the high bytes in a fourth word. Compact: a word each, sign-extended
-// and shifted left.
+// The depth part of a record. Wide: 40 bits each, the high bytes in a fourth word. Compact: a word
+// each, sign-extended and shifted left.
 module raster_load_depth #(
   parameter int unsigned StreamBits = 32
 ) (

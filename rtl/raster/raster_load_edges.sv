@@ -30,8 +30,9 @@ module raster_load_edges #(
   logic [1:0]                  take_rows; // the word with the rows, that with the switch
   logic [63:0]                 rows_word;
 
-  // Left, right, middle: three words of a wide edge, two of a compact one. What else is in those words is at the same
-  // bits in both forms: in the last word of a wide edge, in the second of a compact one.
+  // Left, right, middle: three words of a wide edge, two of a compact one. What else is in those
+  // words is at the same bits in both forms: in the last word of a wide edge, in the second of a
+  // compact one.
   for (genvar e = 0; e < 3; e++) begin : gen_edge
     logic [31:0] wide_x, wide_rm, wide_dy, compact_rmd, compact_x;
     logic        take_x, take_rm, take_dy;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One channel of the colour part of a record. What a shading does not send is zero: the part's first row clears all
-// that it does not hold itself.
+// One channel of the colour part of a record. What a shading does not send is zero: the part's
+// first row clears all that it does not hold itself.
 module raster_load_surface #(
   parameter int unsigned StreamBits = 32,
   parameter int unsigned Channel = 0
@@ -31,17 +31,22 @@ module raster_load_surface #(
     localparam int unsigned SecondWord = 6 * Channel + f;
     localparam int unsigned LinearWord = 3 * Channel + f;
 
-    logic        here;    // this row holds the field
-    logic [31:0] word;
-    logic [31:0] field_q;
+    logic        here; // this row holds the field
+    logic [31:0] word, field_q;
 
-    if (f == 0) begin : gen_value
-      assign here = flat ? row_i == '0 : row_i == (second ? 5'(SecondWord / Lanes) : 5'(LinearWord / Lanes));
-      assign word = flat ? 32'(data_i[8*Channel +: 8]) << Fraction :
-                    second ? data_i[32*(SecondWord%Lanes) +: 32] : data_i[32*(LinearWord%Lanes) +: 32];
-    end else if (f < 3) begin : gen_slope
-      assign here = !flat && row_i == (second ? 5'(SecondWord / Lanes) : 5'(LinearWord / Lanes));
-      assign word = second ? data_i[32*(SecondWord%Lanes) +: 32] : data_i[32*(LinearWord%Lanes) +: 32];
+    if (f < 3) begin : gen_plane
+      logic        longer;
+      logic [31:0] sent;
+      assign longer = row_i == (second ? 5'(SecondWord / Lanes) : 5'(LinearWord / Lanes));
+      assign sent = second ? data_i[32*(SecondWord%Lanes) +: 32] :
+                             data_i[32*(LinearWord%Lanes) +: 32];
+      if (f == 0) begin : gen_value
+        assign here = flat ? row_i == '0 : longer;
+        assign word = flat ? 32'(data_i[8*Channel +: 8]) << Fraction : sent;
+      end else begin : gen_slope
+        assign here = !flat && longer;
+        assign word = sent;
+      end
     end else begin : gen_bend
       assign here = second && row_i == 5'(SecondWord / Lanes);
       assign word = data_i[32*(SecondWord%Lanes) +: 32];

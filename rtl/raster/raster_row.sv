@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Turns the spans of a triangle into blocks and drives shade. Shade's row state stands at a block; this module moves it
-// to the first block of the next row, one block or one row a clock (two clocks for a block to the left), while the run
-// of the present row sends a block a clock. A row starts its run in the clock in which the row state goes down.
+// Turns the spans of a triangle into blocks and drives shade. Shade's row state stands at a block;
+// this module moves it to the first block of the next row, one block or one row a clock (two clocks
+// for a block to the left), while the run of the present row sends a block a clock. A row starts
+// its run in the clock in which the row state goes down.
 //
-// Between the last block of a triangle and the first of the next, or the mark of a tile's end, two clocks without a
-// block pass: tile memory and shade rely on it.
-// The block of a command is out Latency clocks after the command was taken, together with its colours.
+// Between the last block of a triangle and the first of the next, or the mark of a tile's end, two
+// clocks without a block pass: tile memory and shade rely on it. The block of a command is out
+// Latency clocks after the command was taken, together with its colours.
 module raster_row #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -86,7 +87,8 @@ module raster_row #(
     command_o.step = step_q;
   end
 
-  // A start ends the wait of a new triangle, so only steps have to be looked at for one that still waits.
+  // A start ends the wait of a new triangle, so only steps have to be looked at for one that still
+  // waits.
   logic more, gap_over;
   assign more = start ? span_more_i != '0 : step_q && run_more_q != '0;
   assign gap_over = !new_q || !(step_q || recent_q[0]);
@@ -150,7 +152,8 @@ module raster_row #(
     assign unused = ^{run_first_q, run_last_q, run_low_q, run_high_q};
     assign run_mask = 1'b1;
   end else begin : gen_mask
-    localparam logic [PixelsPerClock-1:0] All = {PixelsPerClock{1'b1}}; // yosys takes '1 for one bit
+    // yosys would take '1 for one bit here
+    localparam logic [PixelsPerClock-1:0] All = {PixelsPerClock{1'b1}};
     assign run_mask = (run_first_q ? All << run_low_q : All) &
                       (run_last_q ? ~((All << 1) << run_high_q) : All);
   end
@@ -175,7 +178,8 @@ module raster_row #(
     place_q <= {place_q[(Latency-2)*PlaceBits-1:0], run_x_q, run_y_q, run_mask};
   end
 
-  // The state of a triangle stays for three clocks after its last block, so it is handed on every third clock only.
+  // The state of a triangle stays for three clocks after its last block, so it is handed on every
+  // third clock only.
   localparam int unsigned Stations = (Latency - 1) / 3 + 1;
   localparam int unsigned StateBits = 9;
   logic [Stations*StateBits-1:0] station_q;
@@ -183,7 +187,9 @@ module raster_row #(
   always_ff @(posedge clk_i) begin
     if (start || send_end) station_q[StateBits-1:0] <= send_end ? state_i : state_q;
     for (int n = 1; n < Stations; n++) begin
-      if (valid_q[3*n-1] || end_q[3*n-1]) station_q[StateBits*n +: StateBits] <= station_q[StateBits*(n-1) +: StateBits];
+      if (valid_q[3*n-1] || end_q[3*n-1]) begin
+        station_q[StateBits*n +: StateBits] <= station_q[StateBits*(n-1) +: StateBits];
+      end
     end
   end
 

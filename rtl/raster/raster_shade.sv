@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Raster and shade: from render ops to blocks of coloured pixels with depth.
 //
-//   raster_load -> raster_walk -> raster_row -> shade_surface (red, green, blue), shade_plane (alpha, depth)
-//   records        spans          blocks
+//   raster_load -> raster_walk -> raster_row -> shade_surface x 3, shade_plane x 2
+//   records        spans          blocks        red, green, blue   alpha, depth
 //
-// Once a block is on its way nothing stops it, so fragment has to take one every clock. A block is out Latency clocks
-// after raster_row sent it; a triangle never touches a block twice, and between the last block of a triangle and the
-// first of the next two clocks pass without one.
+// Once a block is on its way nothing stops it, so fragment has to take one every clock. A block is
+// out Latency clocks after raster_row sent it; a triangle never touches a block twice, and between
+// the last block of a triangle and the first of the next two clocks pass without one.
 module raster_shade #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks down the rows of a triangle, one a clock: steps both edges, clips the row to tile and scissor and says which
-// blocks it spans. Runs ahead of raster_row, which takes the spans, and begins the next triangle on its own.
+// Walks down the rows of a triangle, one a clock: steps both edges, clips the row to tile and
+// scissor and says which blocks it spans. Runs ahead of raster_row, which takes the spans, and
+// begins the next triangle on its own.
 //
-// A span is out four clocks after its row began. Rows with nothing to draw come too, as empty spans: raster_row has to
-// step over them.
+// A span is out four clocks after its row began. Rows with nothing to draw come too, as empty
+// spans: raster_row has to step over them.
 module raster_walk #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

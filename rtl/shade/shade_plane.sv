@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plane, alpha or depth, for a block of K pixels a clock: shade_surface without the second differences, with the same
-// commands and the same latency. plane_i must stay for 2 clocks after the command MOVE_LOAD was taken.
+// A plane, alpha or depth, for a block of K pixels a clock: shade_surface without the second
+// differences, with the same commands and the same latency. plane_i must stay for 2 clocks after
+// the command MOVE_LOAD was taken.
 module shade_plane #(
   parameter int unsigned PixelsPerClock = 1,
   parameter int unsigned Width = 40,   // of the accumulators

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block of a plane to its K pixels: pixel l has value_i + l*dx_i, as a tree of additions like shade_surface_lanes and
-// with its latency, so the tree waits one clock for K > 1. dx_i is used in the first three clocks only and may then
-// change.
+// A block of a plane to its K pixels: pixel l has value_i + l*dx_i, as a tree of additions like
+// shade_surface_lanes and with its latency, so the tree waits one clock for K > 1. dx_i is used in
+// the first three clocks only and may then change.
 module shade_plane_lanes #(
   parameter int unsigned PixelsPerClock = 1,
   parameter int unsigned Width = 40,
@@ -53,8 +53,9 @@ module shade_plane_lanes #(
     assign whole = pixels[Width*l+Fraction +: Width-Fraction];
     assign unused = ^pixels[Width*l +: Fraction];
     always_ff @(posedge clk_i) begin
-      level_o[LevelBits*l +: LevelBits] <= whole[Width-1-Fraction] ? '0 :
-                                           |whole[Width-2-Fraction:LevelBits] ? '1 : whole[LevelBits-1:0];
+      if (whole[Width-1-Fraction]) level_o[LevelBits*l +: LevelBits] <= '0;
+      else if (|whole[Width-2-Fraction:LevelBits]) level_o[LevelBits*l +: LevelBits] <= '1;
+      else level_o[LevelBits*l +: LevelBits] <= whole[LevelBits-1:0];
     end
   end
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// One colour channel: a second-order surface, evaluated for a block of K pixels a clock by additions and shifts.
+// One colour channel: a second-order surface, evaluated for a block of K pixels a clock by
+// additions and shifts.
 //
-// Row state: value, across = 2*dx + (K-1)*dxx (so that K/2*across is the difference to the next block) and down,
-// the difference to the next row. A run copies value and across at its first block and steps them on its own, while
-// the row state moves to the next row's first block. From a run's block shade_lanes makes its K pixels.
+// Row state: value, across = 2*dx + (K-1)*dxx (so that K/2*across is the difference to the next
+// block) and down, the difference to the next row. A run copies value and across at its first block
+// and steps them on its own, while the row state moves to the next row's first block. From a run's
+// block shade_lanes makes its K pixels.
 //
-// A command is taken at the end of a clock and changes, counted from there: operands in the 1st clock, the slopes and
-// the run's slope in the 2nd, values in the 3rd, and the level is out after the Latency-th. Nothing flows back to
-// raster. origin_i and its differences must stay for 1 clock after the command MOVE_LOAD was taken, i for 2.
+// A command is taken at the end of a clock and changes, counted from there: operands in the 1st
+// clock, the slopes and the run's slope in the 2nd, values in the 3rd, and the level is out after
+// the Latency-th. Nothing flows back to raster. origin_i and its differences must stay for 1 clock
+// after the command MOVE_LOAD was taken, i for 2.
 module shade_surface #(
   parameter int unsigned PixelsPerClock = 1
 ) (

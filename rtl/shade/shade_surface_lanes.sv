@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block of a second-order surface to its K pixels, in closed form by additions and shifts: no pixel waits for the
-// one before it. With i and p the value and first difference of pixel 0 and a the second difference, a pixel l has
-// i + l*p + l(l-1)/2*a; across_i is 2*p + (K-1)*a.
+// A block of a second-order surface to its K pixels, in closed form by additions and shifts: no
+// pixel waits for the one before it. With i and p the value and first difference of pixel 0 and a
+// the second difference, a pixel l has i + l*p + l(l-1)/2*a; across_i is 2*p + (K-1)*a.
 //
-// The pixels are a tree: 4 from 0, then 2 and 6, then the odd ones; far_q, near_q and step_q are the differences
-// that lead there. dxx_i is used in the first two clocks only and may then change.
+// The pixels are a tree: 4 from 0, then 2 and 6, then the odd ones; far_q, near_q and step_q are
+// the differences that lead there. dxx_i is used in the first two clocks only and may then change.
 // Latency in clocks: 1, 3, 4, 5 for K = 1, 2, 4, 8.
 module shade_surface_lanes #(
   parameter int unsigned PixelsPerClock = 1

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Random TRIANGLE packets for the benches of raster and shade: real triangles, and any values at all. */
+/* Random TRIANGLE packets for the benches of raster: real triangles, and any values at all. */
 #ifndef TESTS_RASTER_RECORD_H
 #define TESTS_RASTER_RECORD_H
 
@@ -59,8 +59,8 @@ inline bool triangle_between(Point p[3], int tile_size, model_triangle &t)
 
 	int64_t turn = (int64_t)(p[1].x - p[0].x) * (p[2].y - p[0].y) -
 		       (int64_t)(p[2].x - p[0].x) * (p[1].y - p[0].y);
-	bool bend_right = turn > 0;	/* the middle vertex is right of the long edge */
-	bool below = middle <= top;	/* the tile begins below the middle vertex */
+	bool bend_right = turn > 0; /* the middle vertex is right of the long edge */
+	bool below = middle <= top; /* the tile begins below the middle vertex */
 	model_edge whole = edge_between(p[0], p[2], top);
 	model_edge bent = below ? edge_between(p[1], p[2], top) : edge_between(p[0], p[1], top);
 
@@ -139,7 +139,7 @@ template <typename Group> void edges_set(Group &g, const model_triangle &t)
 /* A packet and where its parts begin. */
 struct Record {
 	std::vector<uint32_t> header;
-	std::vector<uint32_t> part[4];	/* edges, depth, alpha, colour */
+	std::vector<uint32_t> part[4]; /* edges, depth, alpha, colour */
 
 	std::vector<uint32_t> packet() const
 	{
@@ -166,9 +166,9 @@ inline void surface_words(Random &random, std::vector<uint32_t> &words, unsigned
 inline Record record_make(Random &random, const model_triangle &t, enum gloss_geometry geometry,
 			  enum gloss_shading shading)
 {
-	static const unsigned int colour_words[] = {
-		GLOSS_COLOUR_FLAT_WORDS, GLOSS_COLOUR_LINEAR_WORDS, GLOSS_COLOUR_SECOND_ORDER_WORDS
-	};
+	static const unsigned int colour_words[] = { GLOSS_COLOUR_FLAT_WORDS,
+						     GLOSS_COLOUR_LINEAR_WORDS,
+						     GLOSS_COLOUR_SECOND_ORDER_WORDS };
 	struct gloss_triangle header = {};
 	Record record;
 
@@ -207,8 +207,8 @@ inline Record record_random(Random &random, int tile_size)
 	if (random.chance(95)) {
 		if (random.chance(20) || !triangle_real(random, tile_size, t))
 			triangle_any(random, tile_size, t);
-		geometry = triangle_fits(t) && random.chance(80) ? GLOSS_GEOMETRY_COMPACT :
-								   GLOSS_GEOMETRY_WIDE;
+		geometry = triangle_fits(t) && random.chance(80) ? GLOSS_GEOMETRY_COMPACT
+								 : GLOSS_GEOMETRY_WIDE;
 	}
 	return record_make(random, t, geometry, (enum gloss_shading)random.below(3));
 }

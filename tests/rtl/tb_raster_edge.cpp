@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* raster_edge: real edges against exact division, any register values against the rule of gloss.xml. */
+/* raster_edge: real edges against exact division, any values against the rule of gloss.xml. */
 #include "Vraster_edge.h"
 #include "raster_record.h"
 
@@ -47,7 +47,7 @@ public:
 private:
 	Random &random;
 	Bench<Vraster_edge> bench;
-	bool pending = false;	/* the remainder is a step ahead */
+	bool pending = false; /* the remainder is a step ahead */
 
 	void clock(int idle, int take_r, int step_r, int take_x, int step_x)
 	{
@@ -89,8 +89,8 @@ static void real_edges_are_exact(Random &random, Edge &edge)
 
 			if (row > first)
 				edge.step(false, false);
-			TB_CHECK(edge.x() == sign13(least), "x is %d instead of %d in row %d", edge.x(),
-				 least, row - first);
+			TB_CHECK(edge.x() == sign13(least), "x is %d instead of %d in row %d",
+				 edge.x(), least, row - first);
 		}
 	}
 }
@@ -112,7 +112,8 @@ static void any_values_wrap_as_the_interface_says(Random &random, Edge &edge)
 			now.x = sign13(now.x + now.step + carry);
 			if (row == change)
 				now = middle;
-			TB_CHECK(edge.x() == now.x, "x is %d instead of %d in row %d", edge.x(), now.x, row);
+			TB_CHECK(edge.x() == now.x, "x is %d instead of %d in row %d", edge.x(),
+				 now.x, row);
 		}
 	}
 }

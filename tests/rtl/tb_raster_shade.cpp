@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 /*
- * raster_shade against the model: random records, states and gaps, every block compared, the promises of
- * raster_shade.sv checked; and how many clocks triangles take. TILE, LANES and STREAM are the parameters.
+ * raster_shade against the model: random records, states and gaps, every block compared, the
+ * promises of raster_shade.sv checked; and how many clocks triangles take. TILE, LANES and STREAM
+ * are the parameters.
  */
 #include <deque>
 
 #include "Vraster_shade.h"
 #include "raster_record.h"
 
-enum Kind { HEADER, PAYLOAD, GO, STATE, END };		/* gloss_pkg::RENDER_* */
+enum Kind { HEADER, PAYLOAD, GO, STATE, END }; /* gloss_pkg::RENDER_* */
 enum Part { EDGES, DEPTH, ALPHA, COLOUR };
 enum StatePart { STATE_DEPTH, STATE_MASK, STATE_SCISSOR, STATE_RESET };
 
@@ -21,7 +22,7 @@ struct Op {
 
 /* What raster_shade has to answer: a block, or the end of a tile. */
 struct Event {
-	bool end, first;	/* the triangle's first block */
+	bool end, first; /* the triangle's first block */
 	unsigned int x, y, mask, state, bank;
 	uint32_t colour[LANES], depth[LANES];
 };
@@ -73,10 +74,7 @@ public:
 	}
 
 	/* A triangle that turned out to be faulty after some rows. */
-	void abandoned(const Record &record)
-	{
-		triangle_rows(record, random.below(10));
-	}
+	void abandoned(const Record &record) { triangle_rows(record, random.below(10)); }
 
 	void tile_end()
 	{
@@ -96,7 +94,9 @@ private:
 
 	void put(unsigned int kind, unsigned int part, unsigned int row, uint32_t word)
 	{
-		Op op = { kind, part, row, bank, { word, random.bits(), random.bits(), random.bits() } };
+		Op op = {
+			kind, part, row, bank, { word, random.bits(), random.bits(), random.bits() }
+		};
 
 		ops.push_back(op);
 	}
@@ -123,9 +123,11 @@ private:
 		for (unsigned int part = 0; part < 4; part++) {
 			const std::vector<uint32_t> &words = record.part[part];
 
-			for (unsigned int at = 0; at < words.size() && limit; at += words_per_row, limit--) {
+			for (unsigned int at = 0; at < words.size() && limit;
+			     at += words_per_row, limit--) {
 				put(PAYLOAD, part, at / words_per_row, 0);
-				for (unsigned int n = 0; n < words_per_row && at + n < words.size(); n++)
+				for (unsigned int n = 0; n < words_per_row && at + n < words.size();
+				     n++)
 					ops.back().data[n] = words[at + n];
 			}
 		}
@@ -151,7 +153,8 @@ private:
 	{
 		uint32_t colour[TILE + MODEL_LANES], depth[TILE + MODEL_LANES];
 
-		model_shade_span(&triangle, model_raster_anchor(&triangle, TILE), &span, colour, depth);
+		model_shade_span(&triangle, model_raster_anchor(&triangle, TILE), &span, colour,
+				 depth);
 		for (int block = span.x0 / LANES; block * LANES < span.x1; block++) {
 			Event event = {};
 
@@ -191,8 +194,9 @@ public:
 			clock(source, stalls);
 			if (source.ops.size() + source.events.size() != left)
 				last = bench.clocks;
-			TB_CHECK(bench.clocks - last < 1000, "nothing happens: %zu ops, %zu events left",
-				 source.ops.size(), source.events.size());
+			TB_CHECK(bench.clocks - last < 1000,
+				 "nothing happens: %zu ops, %zu events left", source.ops.size(),
+				 source.events.size());
 		}
 	}
 
@@ -231,7 +235,10 @@ private:
 
 	Op noise()
 	{
-		return { random.below(8), random.below(4), random.below(32), random.below(2),
+		return { random.below(8),
+			 random.below(4),
+			 random.below(32),
+			 random.below(2),
 			 { random.bits(), random.bits(), random.bits(), random.bits() } };
 	}
 
@@ -254,10 +261,11 @@ private:
 		Event event = source.events.front();
 
 		source.events.pop_front();
-		TB_CHECK(event.end == (bool)top.end_o, event.end ? "a block after the last" :
-								   "the tile's end too early");
+		TB_CHECK(event.end == (bool)top.end_o,
+			 event.end ? "a block after the last" : "the tile's end too early");
 		if (event.end)
-			TB_CHECK(top.end_bank_o == event.bank, "the end of bank %d", top.end_bank_o);
+			TB_CHECK(top.end_bank_o == event.bank, "the end of bank %d",
+				 top.end_bank_o);
 		else
 			block(event);
 	}
@@ -267,26 +275,28 @@ private:
 		Vraster_shade &top = bench.top;
 
 		TB_CHECK(top.block_x_o == event.x && top.block_y_o == event.y,
-			 "block %d, %d instead of %u, %u", top.block_x_o, top.block_y_o, event.x, event.y);
+			 "block %d, %d instead of %u, %u", top.block_x_o, top.block_y_o, event.x,
+			 event.y);
 		TB_CHECK(top.block_mask_o != 0, "an empty block");
 		TB_CHECK(top.block_mask_o == event.mask, "mask %02x instead of %02x at %u, %u",
 			 top.block_mask_o, event.mask, event.x, event.y);
-		TB_CHECK(top.block_state_o == event.state, "state %03x instead of %03x", top.block_state_o,
-			 event.state);
+		TB_CHECK(top.block_state_o == event.state, "state %03x instead of %03x",
+			 top.block_state_o, event.state);
 		for (unsigned int l = 0; l < LANES; l++) {
 			uint32_t colour = tb_get(top.block_colour_o, 32 * l, 32);
 			uint32_t depth = tb_get(top.block_depth_o, 24 * l, 24);
 
 			if (!(event.mask >> l & 1))
 				continue;
-			TB_CHECK(colour == event.colour[l], "colour %08x instead of %08x at %u, %u", colour,
-				 event.colour[l], event.x * LANES + l, event.y);
-			TB_CHECK(depth == event.depth[l], "depth %06x instead of %06x at %u, %u", depth,
-				 event.depth[l], event.x * LANES + l, event.y);
+			TB_CHECK(colour == event.colour[l], "colour %08x instead of %08x at %u, %u",
+				 colour, event.colour[l], event.x * LANES + l, event.y);
+			TB_CHECK(depth == event.depth[l], "depth %06x instead of %06x at %u, %u",
+				 depth, event.depth[l], event.x * LANES + l, event.y);
 			pixels++;
 		}
 		if (event.first)
-			TB_CHECK((int64_t)bench.clocks - last_block >= 3, "%d clocks between triangles",
+			TB_CHECK((int64_t)bench.clocks - last_block >= 3,
+				 "%d clocks between triangles",
 				 (int)(bench.clocks - last_block) - 1);
 		last_block = bench.clocks;
 		blocks++;
@@ -314,7 +324,8 @@ static void random_records_match_the_model(Random &random, int tiles)
 	}
 	run.drain(source, true);
 	run.rest(source);
-	printf("%d-%d-%d: %d triangles, %" PRIu64 " blocks, %" PRIu64 " pixels as the model has them\n",
+	printf("%d-%d-%d: %d triangles, %" PRIu64 " blocks, %" PRIu64
+	       " pixels as the model has them\n",
 	       TILE, LANES, STREAM, triangles, run.blocks, run.pixels);
 }
 
@@ -327,13 +338,16 @@ static double clocks_of(Random &random, Point a, Point b, Point c, double *pixel
 
 	for (int n = 0; n < count; n++) {
 		int dx = 16 * random.below(TILE - 31), dy = 16 * random.below(TILE - 31);
-		Point p[3] = { { a.x + dx, a.y + dy }, { b.x + dx, b.y + dy }, { c.x + dx, c.y + dy } };
+		Point p[3] = { { a.x + dx, a.y + dy },
+			       { b.x + dx, b.y + dy },
+			       { c.x + dx, c.y + dy } };
 		model_triangle t = {};
 		Record record;
 
 		triangle_between(p, TILE, t);
 		do
-			record = record_make(random, t, GLOSS_GEOMETRY_COMPACT, GLOSS_SHADING_SECOND_ORDER);
+			record = record_make(random, t, GLOSS_GEOMETRY_COMPACT,
+					     GLOSS_SHADING_SECOND_ORDER);
 		while (!record.part[ALPHA].empty());
 		source.triangle(record);
 	}
@@ -360,7 +374,7 @@ static void triangles_take_few_clocks(Random &random)
 	static const struct {
 		const char *name;
 		Point a, b, c;
-		double most;	/* clocks, with 8 lanes and 128 stream bits */
+		double most; /* clocks, with 8 lanes and 128 stream bits */
 	} cases[] = {
 		{ "1 pixel", { 4, 4 }, { 14, 4 }, { 4, 14 }, 12 },
 		{ "8x8 box, upright left edge", { 0, 0 }, { 0, 128 }, { 128, 128 }, 20 },
@@ -372,9 +386,10 @@ static void triangles_take_few_clocks(Random &random)
 	for (const auto &c : cases) {
 		double pixels, clocks = clocks_of(random, c.a, c.b, c.c, &pixels);
 
-		printf("%d-%d-%d: %.1f clocks for %.0f pixels, %s\n", TILE, LANES, STREAM, clocks, pixels,
-		       c.name);
-		TB_CHECK(LANES < 8 || STREAM < 128 || clocks <= c.most, "more than %.0f clocks", c.most);
+		printf("%d-%d-%d: %.1f clocks for %.0f pixels, %s\n", TILE, LANES, STREAM, clocks,
+		       pixels, c.name);
+		TB_CHECK(LANES < 8 || STREAM < 128 || clocks <= c.most, "more than %.0f clocks",
+			 c.most);
 	}
 
 	double rate = TILE * TILE / clocks_of_covering(random);

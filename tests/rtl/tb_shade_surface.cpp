@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-/* shade_surface: whatever way the row state takes, a block shows the polynomial of gloss.xml. LANES is the parameter. */
+/*
+ * shade_surface: whatever way the row state takes, a block shows the polynomial of gloss.xml.
+ * LANES is the parameter.
+ */
 #include <deque>
 
 #include "Vshade_surface.h"
 #include "tb.h"
 
-enum Move { LOAD, DOWN, RIGHT, LEFT };	/* gloss_pkg::MOVE_* */
+enum Move { LOAD, DOWN, RIGHT, LEFT }; /* gloss_pkg::MOVE_* */
 
 static const unsigned int latency = LANES == 1 ? 5 : LANES == 2 ? 7 : LANES == 4 ? 8 : 9;
 
@@ -57,7 +60,7 @@ public:
 
 private:
 	struct Block {
-		uint64_t at;	/* the clock its levels are out */
+		uint64_t at; /* the clock its levels are out */
 		Surface surface;
 		int u, v;
 	};
@@ -65,12 +68,12 @@ private:
 	Random &random;
 	Bench<Vshade_surface> bench;
 	Surface surface = {};
-	int u = 0, v = 0;		/* where the row state is, seen from the anchor */
+	int u = 0, v = 0; /* where the row state is, seen from the anchor */
 	int moves_left = 0;
-	bool fresh = false;		/* no block of the triangle yet */
-	Block run = {};			/* the last block sent */
-	int run_more = 0;		/* blocks of its run after it */
-	uint64_t gap_until = 0;		/* the clock a new triangle may start in */
+	bool fresh = false;	/* no block of the triangle yet */
+	Block run = {};		/* the last block sent */
+	int run_more = 0;	/* blocks of its run after it */
+	uint64_t gap_until = 0; /* the clock a new triangle may start in */
 	std::deque<Block> expected;
 
 	Surface surface_any()
@@ -149,8 +152,8 @@ private:
 			uint32_t is = tb_get(bench.top.level_o, 8 * l, 8);
 			uint32_t should = block.surface.level(block.u + l, block.v);
 
-			TB_CHECK(is == should, "lane %d: %u instead of %u at %d, %d", l, is, should, block.u,
-				 block.v);
+			TB_CHECK(is == should, "lane %d: %u instead of %u at %d, %d", l, is, should,
+				 block.u, block.v);
 		}
 		expected.pop_front();
 		blocks++;
@@ -165,6 +168,7 @@ int main()
 	for (int n = 0; n < 3000; n++)
 		channel.triangle();
 	channel.finish();
-	printf("shade_surface, %d lanes: %" PRIu64 " blocks show the polynomial\n", LANES, channel.blocks);
+	printf("shade_surface, %d lanes: %" PRIu64 " blocks show the polynomial\n", LANES,
+	       channel.blocks);
 	return 0;
 }

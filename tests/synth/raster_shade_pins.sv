@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// raster_shade behind four pins, so that it can be placed on a device that has too few for its ports: inputs come from
-// a shift register, outputs go into one. Every path of raster_shade stays one from register to register.
+// raster_shade behind four pins, so that it can be placed on a device that has too few for its
+// ports: inputs come from a shift register, outputs go into one. Every path of raster_shade stays
+// one from register to register.
 module raster_shade_pins #(
   parameter int unsigned TileSize = 32,
   parameter int unsigned PixelsPerClock = 1,
