@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Benches of fragment, tile and memory.
 
-# The ends of the parameters for every check, all that are built in the longer target.
-TILE_CORES := 32-1 64-8
+# The corners of the parameters for every check, all that are built in the longer target.
+TILE_CORES := 32-1 64-1 32-8 64-8
 TILE_ALL_CORES := 64-1 64-2 64-4 64-8 32-1 32-2 32-4 32-8
 
 # $(1) stage, $(2) tile size, $(3) lanes, $(4) more sources, $(5) objects
