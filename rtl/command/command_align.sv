@@ -19,17 +19,18 @@ module command_align #(
   output logic [$clog2(StreamBits/32+1)-1:0] have_o,  // how many of them are there
   input  logic [$clog2(StreamBits/32+1)-1:0] take_i,  // at most have_o
   output logic                               end_o,   // all words of the job were taken
-  output logic [31:0]                        left_o
+  output logic [31:0]                        left_o   // words of the job left, but for what was taken a clock ago
 );
 
   localparam int unsigned Lanes = StreamBits / 32;
   localparam int unsigned CountBits = $clog2(Lanes + 1);
 
+  // Keeps the wide counter out of the way from the stream to the decoder and back: it follows a clock later. Ample is
+  // that at least 8*Lanes words were left two clocks ago, so more than Lanes are now; else the low bits tell all.
   logic [31:0]           left_q;
-  // Left was at least 4*Lanes a clock ago, so it is more than Lanes now; else its low bits tell all. Keeps the wide
-  // comparison out of the way from the stream to the decoder and back.
+  logic [CountBits-1:0]  take_q;
   logic                  ample_q;
-  logic [CountBits+1:0]  few;
+  logic [CountBits+1:0]  few_q;
 
   logic                  beat_valid, beat_ready;
   logic [StreamBits-1:0] beat;
@@ -40,17 +41,20 @@ module command_align #(
     .valid_o(beat_valid), .ready_i(beat_ready), .data_o(beat)
   );
 
-  assign few = left_q[CountBits+1:0];
-  assign end_o = !ample_q && few == '0;
+  assign end_o = !ample_q && few_q == '0;
   assign left_o = left_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       left_q <= '0;
+      few_q <= '0;
+      take_q <= '0;
       ample_q <= 1'b0;
     end else begin
-      left_q <= start_i ? words_i : left_q - {{(32 - CountBits){1'b0}}, take_i};
-      ample_q <= |left_q[31:CountBits+1];
+      left_q <= start_i ? words_i : left_q - 32'(take_q);
+      few_q <= start_i ? words_i[CountBits+1:0] : few_q - (CountBits+2)'(take_i);
+      take_q <= take_i;
+      ample_q <= |left_q[31:CountBits+2];
     end
   end
 
@@ -70,12 +74,12 @@ module command_align #(
 
     assign first_words = full_q ? CountBits'(Lanes) - CountBits'(skip_q) : '0;
     assign some = full_q && beat_valid ? CountBits'(Lanes) : first_words;
-    assign have_o = ample_q || few > (CountBits+2)'(some) ? some : few[CountBits-1:0];
+    assign have_o = ample_q || few_q > (CountBits+2)'(some) ? some : few_q[CountBits-1:0];
     assign words_o = StreamBits'({beat, first_q} >> {skip_q, 5'b0});
 
     assign skip_sum = {1'b0, skip_q} + (LaneBits+1)'(take_i);
     assign spent = skip_sum[LaneBits];
-    assign wanted = ample_q || few > (CountBits+2)'(first_words);
+    assign wanted = ample_q || few_q > (CountBits+2)'(first_words);
     assign beat_ready = wanted && (!full_q || spent);
 
     always_ff @(posedge clk_i) begin

@@ -11,7 +11,7 @@ module command_answer #(
   input  logic [31:0]                  room_i,
 
   input  logic [15:0]                  words_i,     // a packet asks for this many
-  output logic                         short_o,     // more than is left
+  output logic                         short_o,     // more than is left; two clocks after words_i
   input  logic                         reserve_i,
   input  logic                         commit_i,    // the packet is executed,
   input  logic                         cancel_i,    // or it is not
@@ -35,12 +35,17 @@ module command_answer #(
   localparam int unsigned Count = PixelsPerClock < Words ? PixelsPerClock : Words;
 
   logic [31:0] room_q, used_q, triangles_q, tiles_q;
-  logic [16:0] reserved_q, wanted; // a tile's colour and depth, or 65535 words read
+  logic [16:0] reserved_q, wanted_q; // a tile's colour and depth, or 65535 words read
+  logic        short_q;
   gloss_pkg::work_counters_t work;
 
-  assign wanted = reserved_q + {1'b0, words_i};
-  assign short_o = {15'b0, wanted} > room_q;
+  assign short_o = short_q;
   assign used_o = used_q;
+
+  always_ff @(posedge clk_i) begin
+    wanted_q <= reserved_q + {1'b0, words_i};
+    short_q <= {15'b0, wanted_q} > room_q;
+  end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -56,7 +61,7 @@ module command_answer #(
       triangles_q <= '0;
       tiles_q <= '0;
     end else begin
-      if (reserve_i) reserved_q <= wanted;
+      if (reserve_i) reserved_q <= wanted_q;
       if (commit_i) begin
         room_q <= room_q - {15'b0, reserved_q};
         used_q <= used_q + {15'b0, reserved_q};

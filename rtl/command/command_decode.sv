@@ -3,9 +3,9 @@
 // command_packet, and ends the job with its status.
 //
 // Words move in two steps. In the first they are taken from the aligner into row_q; in the second they are checked and
-// go to the render queue. The check of a header or row is known a clock after that; so a triangle is sent before it
-// is known to be right, and RENDER_GO, which follows the last row, is what a fault holds back. A record takes a clock
-// for each of header, rows and RENDER_GO.
+// go to the render queue. What the check of a row says is known a clock after that, of a header two; so a triangle is
+// sent before it is known to be right, and RENDER_GO, which follows the last row, is what a fault holds back. A record
+// takes a clock for each of header, rows and RENDER_GO.
 module command_decode #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32
@@ -28,7 +28,7 @@ module command_decode #(
   input  logic [$clog2(StreamBits/32+1)-1:0] have_i,
   output logic [$clog2(StreamBits/32+1)-1:0] take_o,
   input  logic                               end_i,
-  input  logic [31:0]                        left_i,
+  input  logic [31:0]                        left_i,       // a clock late
 
   // to the render queue
   output logic                               render_valid_o,
@@ -66,7 +66,8 @@ module command_decode #(
     Header,
     Triangle, // its rows
     Go,
-    Verdict,  // the header of another packet is being checked
+    Check,    // the header of another packet,
+    Verdict,  // and how it went
     Skip,     // the payload of NOP
     Start,    // command_packet,
     Packet,   // and wait for it
@@ -88,7 +89,7 @@ module command_decode #(
   logic [1:0]           op_part;
   logic [4:0]           op_row;
 
-  logic [CountBits-1:0] take, take_q, skip_words;
+  logic [CountBits-1:0] take, take_q;
   logic                 header_take, row_take, have_row;
   logic                 header_check_q, row_check_q;
 
@@ -105,7 +106,8 @@ module command_decode #(
   logic [31:0]          offset_q;
 
   command_header header_check (
-    .header_i(row_q[31:0]), .left_i, .in_tile_i, .fault_o(header_fault)
+    .clk_i, .rst_ni,
+    .check_i(header_check_q), .header_i(row_q[31:0]), .left_i, .in_tile_i, .fault_o(header_fault)
   );
 
   command_record #(.TileSize(TileSize), .StreamBits(StreamBits)) record (
@@ -117,7 +119,6 @@ module command_decode #(
 
   assign start_o = job_valid_i && job_ready_o;
   assign have_row = have_i >= row_words;
-  assign skip_words = skip_q >= 11'(Lanes) ? CountBits'(Lanes) : skip_q[CountBits-1:0];
 
   // ---- first step: what is taken, and what goes to the queue with it ----
   always_comb begin
@@ -163,7 +164,7 @@ module command_decode #(
             header_take = 1'b1;
             op_kind = gloss_pkg::RENDER_HEADER;
             op_push = words_i[31:24] == gloss_pkg::OP_TRIANGLE;
-            state_d = op_push ? Triangle : Verdict;
+            state_d = op_push ? Triangle : Check;
           end else begin
             stall_stream_o = 1'b1;
           end
@@ -183,11 +184,12 @@ module command_decode #(
         op_kind = gloss_pkg::RENDER_GO;
         if (op_ready) state_d = Header;
       end
+      Check: state_d = Verdict;
       Verdict: state_d = header_q[31:24] == gloss_pkg::OP_NOP ? Skip : Start;
       Skip: begin
-        if (have_i >= skip_words) take = skip_words;
         if (skip_q == '0) state_d = Header;
-        stall_stream_o = have_i < skip_words;
+        else if (have_i != '0) take = CountBits'(1);
+        else stall_stream_o = 1'b1;
       end
       Start: begin
         packet_start_o = 1'b1;
@@ -221,14 +223,15 @@ module command_decode #(
       default: state_d = Idle;
     endcase
 
-    if (header_check_q && header_fault != gloss_pkg::FAULT_NONE) begin
-      refuse = 1'b1;
-      cause = header_fault;
-    end
     if (row_check_q && row_bad) begin
       refuse = 1'b1;
       cause = gloss_pkg::FAULT_VALUE;
       behind = 4'(row_behind);
+    end
+    if (header_fault != gloss_pkg::FAULT_NONE) begin
+      refuse = 1'b1;
+      cause = header_fault;
+      behind = 4'd1 + 4'(take_q);
     end
     if (refused_q) begin
       state_d = Locate;
@@ -305,9 +308,8 @@ module command_decode #(
         cause_q <= cause;
         behind_q <= behind;
       end else if (refused_q) begin
-        // The word of the fault is this far from the stream's end; one more row may have been taken since.
+        // Left is what it was when the fault was found, whatever was taken in that clock.
         offset_q <= offset_q - left_i;
-        behind_q <= behind_q + 4'(take_q);
       end else if (state_q == Locate) begin
         offset_q <= offset_q - {28'b0, behind_q};
       end else if (state_q == Finish && memory_error_i && cause_q == gloss_pkg::FAULT_NONE) begin

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a header word, in the order gloss.xml gives. Combinational.
+// What is wrong with a header word, in the order gloss.xml gives, a clock later.
 module command_header (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+
+  input  logic        check_i,
   input  logic [31:0] header_i,
-  input  logic [31:0] left_i,    // words of the stream after it
+  input  logic [31:0] left_i,    // words of the stream from it on
   input  logic        in_tile_i,
-  output logic [3:0]  fault_o    // FAULT_*
+  output logic [3:0]  fault_o    // FAULT_*, for one clock
 );
 
   // Some fields of each.
@@ -17,7 +21,8 @@ module command_header (
   logic [31:0] reserved;
   logic [10:0] words;       // payload of a packet of fixed length
   logic        is_fixed;
-  logic        misplaced, bad_value;
+  logic        misplaced, bad_value, past_end;
+  logic        checked_q, unknown_q, bad_value_q, bad_length_q, misplaced_q;
 
   assign triangle = header_i;
   assign tile_end = header_i;
@@ -113,13 +118,28 @@ module command_header (
     endcase
   end
 
+  assign past_end = left_i[31:11] == '0 && length >= left_i[10:0];
+
+  always_ff @(posedge clk_i) begin
+    unknown_q <= !known;
+    bad_value_q <= (header_i & reserved) != '0 || bad_value;
+    bad_length_q <= (is_fixed ? length != words : !variable_ok) || past_end;
+    misplaced_q <= misplaced;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) checked_q <= 1'b0;
+    else checked_q <= check_i;
+  end
+
   always_comb begin
     fault_o = gloss_pkg::FAULT_NONE;
-    if (!known) fault_o = gloss_pkg::FAULT_OPCODE;
-    else if ((header_i & reserved) != '0 || bad_value) fault_o = gloss_pkg::FAULT_VALUE;
-    else if (is_fixed ? length != words : !variable_ok) fault_o = gloss_pkg::FAULT_LENGTH;
-    else if ({21'b0, length} > left_i) fault_o = gloss_pkg::FAULT_LENGTH;
-    else if (misplaced) fault_o = gloss_pkg::FAULT_ORDER;
+    if (checked_q) begin
+      if (unknown_q) fault_o = gloss_pkg::FAULT_OPCODE;
+      else if (bad_value_q) fault_o = gloss_pkg::FAULT_VALUE;
+      else if (bad_length_q) fault_o = gloss_pkg::FAULT_LENGTH;
+      else if (misplaced_q) fault_o = gloss_pkg::FAULT_ORDER;
+    end
   end
 
 endmodule

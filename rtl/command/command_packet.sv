@@ -73,8 +73,8 @@ module command_packet #(
     Rest,
     Settle,   // until everything before is finished
     Fetch,    // a payload word,
-    Check,    // what it says itself,
-    Access,   // and what the slot table says
+    Look,     // ask what the slot table says,
+    Judge,    // and with its answer all that can be wrong is known
     State,    // hand on to the render queue
     Surface,
     Begin,
@@ -94,7 +94,7 @@ module command_packet #(
 
   logic [7:0]  opcode;
   logic        two_words, accept, about_depth;
-  logic        bad_value, not_set, access;
+  logic        bad_value, not_set, access, bad_value_q, not_set_q, access_q;
   logic [3:0]  fault;
   logic [31:0] operand;
   // Some fields of each.
@@ -133,9 +133,9 @@ module command_packet #(
 
   always_comb begin
     fault = gloss_pkg::FAULT_NONE;
-    if (state_q == Check && bad_value) fault = gloss_pkg::FAULT_VALUE;
-    else if (state_q == Check && not_set) fault = gloss_pkg::FAULT_ORDER;
-    else if (state_q == Access && !ask_allowed_i) fault = gloss_pkg::FAULT_SLOT;
+    if (bad_value_q) fault = gloss_pkg::FAULT_VALUE;
+    else if (not_set_q) fault = gloss_pkg::FAULT_ORDER;
+    else if (access_q && !ask_allowed_i) fault = gloss_pkg::FAULT_SLOT;
     else if (answer_short_i) fault = gloss_pkg::FAULT_RESPONSE;
   end
 
@@ -167,20 +167,16 @@ module command_packet #(
       end
       Settle:
         if (tile_idle_i && copy_idle_i)
-          state_d = opcode == gloss_pkg::OP_COUNTERS ? Check : Fetch;
+          state_d = opcode == gloss_pkg::OP_COUNTERS ? Look : Fetch;
       Fetch: begin
         word_take_o = word_valid_i;
-        if (word_valid_i) state_d = Check;
+        if (word_valid_i) state_d = Look;
       end
-      Check:
-        if (bad_value || not_set || !access) begin
-          accept = fault == gloss_pkg::FAULT_NONE;
-          refuse_o = !accept;
-        end else begin
-          ask_o = 1'b1;
-          state_d = Access;
-        end
-      Access:
+      Look: begin
+        ask_o = 1'b1;
+        state_d = Judge;
+      end
+      Judge:
         if (ask_valid_i) begin
           accept = fault == gloss_pkg::FAULT_NONE;
           refuse_o = !accept;
@@ -230,7 +226,7 @@ module command_packet #(
   assign in_tile_o = in_tile_q;
   assign answer_reserve_o = accept;
   assign tile_ended_o = done_o && state_q == Close && !dropping_q;
-  assign operand = access ? ask_address_i : word_i;
+  assign operand = access_q ? ask_address_i : word_i;
 
   always_comb begin
     unique case (opcode)
@@ -255,6 +251,9 @@ module command_packet #(
                           (state_q == CopyData && word_valid_i && !copy_data_ready_i);
 
   always_ff @(posedge clk_i) begin
+    bad_value_q <= bad_value;
+    not_set_q <= not_set;
+    access_q <= access;
     if (accept && !second_q) first_q <= operand;
     if (accept) last_q <= operand;
     if (start_i) rest_q <= header_i[10:0] - 11'd2;

@@ -34,14 +34,17 @@ module command_record #(
   // Where first_row and last_row are, in the same bits of both.
   localparam logic [3:0] WideRowsWord = 4'd2;
   localparam logic [3:0] CompactRowsWord = 4'd1;
+  localparam logic [6:0] PastTile = 7'(128 - TileSize); // bits that a row of the tile has not
 
   // Some fields of each.
   // verilator lint_off UNUSEDSIGNAL
   gloss_pkg::triangle_header_t header, header_q;
   // verilator lint_on UNUSEDSIGNAL
-  logic [1:0]  part_q, part_next;
-  logic [4:0]  row_q, rest_q; // rest: words of the part left
-  logic        row_ends_part;
+  logic [1:0]           part_q, part_next, after;
+  logic [4:0]           row_q;
+  logic [4:0]           rest_q, rest_next;  // words of the part left
+  logic [CountBits-1:0] words_q;            // of the row: as many as there are and fit
+  logic                 ends_q;             // the row is its part's last
 
   function automatic logic [4:0] part_words(logic [1:0] part, logic [1:0] geometry, logic [1:0] shading);
     unique case (part)
@@ -60,19 +63,30 @@ module command_record #(
   endfunction
 
   assign header = header_i;
-  assign row_ends_part = rest_q <= 5'(Lanes);
-  assign words_o = row_ends_part ? rest_q[CountBits-1:0] : CountBits'(Lanes);
+  assign words_o = words_q;
   assign part_o = part_q;
   assign row_o = row_q;
-  assign last_o = row_ends_part && part_q == gloss_pkg::PART_COLOUR;
+  assign last_o = ends_q && part_q == gloss_pkg::PART_COLOUR;
 
   always_comb begin
     unique case (part_q)
-      gloss_pkg::PART_EDGES: part_next = gloss_pkg::PART_DEPTH;
-      gloss_pkg::PART_DEPTH: part_next = header_q.alpha_linear ? gloss_pkg::PART_ALPHA
-                                                               : gloss_pkg::PART_COLOUR;
-      default: part_next = gloss_pkg::PART_COLOUR;
+      gloss_pkg::PART_EDGES: after = gloss_pkg::PART_DEPTH;
+      gloss_pkg::PART_DEPTH: after = header_q.alpha_linear ? gloss_pkg::PART_ALPHA
+                                                           : gloss_pkg::PART_COLOUR;
+      default: after = gloss_pkg::PART_COLOUR;
     endcase
+  end
+
+  // The row that comes next is worked out beside this one.
+  always_comb begin
+    if (start_i) begin
+      part_next = header.geometry == gloss_pkg::GEOMETRY_COVERING ? gloss_pkg::PART_DEPTH
+                                                                  : gloss_pkg::PART_EDGES;
+      rest_next = part_words(part_next, header.geometry, header.shading);
+    end else begin
+      part_next = ends_q ? after : part_q;
+      rest_next = ends_q ? part_words(after, header_q.geometry, header_q.shading) : rest_q - 5'(Lanes);
+    end
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -81,23 +95,15 @@ module command_record #(
       part_q <= '0;
       row_q <= '0;
       rest_q <= '0;
-    end else if (start_i) begin
-      header_q <= header_i;
-      row_q <= '0;
-      if (header.geometry == gloss_pkg::GEOMETRY_COVERING) begin
-        part_q <= gloss_pkg::PART_DEPTH;
-        rest_q <= part_words(gloss_pkg::PART_DEPTH, header.geometry, header.shading);
-      end else begin
-        part_q <= gloss_pkg::PART_EDGES;
-        rest_q <= part_words(gloss_pkg::PART_EDGES, header.geometry, header.shading);
-      end
-    end else if (take_i && row_ends_part) begin
+      words_q <= '0;
+      ends_q <= 1'b0;
+    end else if (start_i || take_i) begin
+      if (start_i) header_q <= header_i;
       part_q <= part_next;
-      row_q <= '0;
-      rest_q <= part_words(part_next, header_q.geometry, header_q.shading);
-    end else if (take_i) begin
-      row_q <= row_q + 1'b1;
-      rest_q <= rest_q - 5'(Lanes);
+      row_q <= start_i || ends_q ? '0 : row_q + 1'b1;
+      rest_q <= rest_next;
+      words_q <= rest_next > 5'(Lanes) ? CountBits'(Lanes) : rest_next[CountBits-1:0];
+      ends_q <= rest_next <= 5'(Lanes);
     end
   end
 
@@ -150,7 +156,7 @@ module command_record #(
         default: ;
       endcase
       bad_lane[l] = CountBits'(l) < checked_words_q &&
-                    ((value & reserved) != '0 || (rows_here && last_row >= 7'(TileSize)));
+                    ((value & reserved) != '0 || (rows_here && (last_row & PastTile) != '0));
     end
   end
 
