@@ -48,7 +48,7 @@ module tile_pending #(
   logic [3:0] ended_q, done_q;
   logic [RowsBits-1:0] rows_q;  // of tile done_q, stored and acknowledged or answered
   logic [1:0] parts;
-  logic take, retire;
+  logic take, complete, retire;
 
   assign take = tile_end_valid_i && tile_end_ready_o;
   assign tile_end_ready_o = ended_q - done_q != 4'd4;
@@ -62,10 +62,12 @@ module tile_pending #(
   assign hazard_output_o = hazard_depth_i ? depth_output[hazard_tile_i] : colour_output[hazard_tile_i];
   assign {hazard_address_o, hazard_pitch_o} = hazard_depth_i ? depth[hazard_tile_i] : colour[hazard_tile_i];
 
-  // Acknowledgements come in order, and an answer begins only when all before it is done: one counter is enough.
+  // Acknowledgements come in order, and an answer begins only when all before it is done: one counter is enough. It may
+  // have begun to count for the next tile while one that drops both parts, and so has nothing to wait for, retires.
   assign parts = 2'(colour_output[done_q[1:0]] != gloss_pkg::TILE_OUTPUT_DROP)
       + 2'(depth_output[done_q[1:0]] != gloss_pkg::TILE_OUTPUT_DROP);
-  assign retire = read_i != done_q && rows_q == {parts, {$clog2(TileSize) {1'b0}}};
+  assign complete = rows_q == {parts, {$clog2(TileSize) {1'b0}}};
+  assign retire = read_i != done_q && (parts == '0 || complete);
 
   always_ff @(posedge clk_i) begin
     if (take) begin
@@ -84,7 +86,7 @@ module tile_pending #(
     end else begin
       if (take) ended_q <= ended_q + 1'b1;
       if (retire) done_q <= done_q + 1'b1;
-      rows_q <= (retire ? '0 : rows_q) + RowsBits'(row_stored_i) + RowsBits'(row_answered_i);
+      rows_q <= (retire && parts != '0 ? '0 : rows_q) + RowsBits'(row_stored_i) + RowsBits'(row_answered_i);
     end
   end
 
