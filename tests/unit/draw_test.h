@@ -145,4 +145,34 @@ static inline void coverage_record(void *data, const uint32_t *packet, int tile_
 	coverage->empty += empty;
 }
 
+/* What records draw, the last of them on top. */
+struct picture {
+	int pitch;
+	uint32_t *colour, *depth;
+};
+
+static inline void picture_record(void *data, const uint32_t *packet, int tile_x, int tile_y,
+				  int tile_size)
+{
+	const struct model_scissor scissor = { 0, 0, tile_size, tile_size };
+	uint32_t colour[MODEL_TILE_MAX], depth[MODEL_TILE_MAX];
+	const struct picture *picture = data;
+	struct model_triangle triangle;
+	struct model_walk walk;
+	struct model_span span;
+
+	model_triangle_unpack(packet, tile_size, &triangle);
+	model_raster_begin(&walk, &triangle);
+	while (model_raster_next(&walk, &scissor, &span)) {
+		int at = (tile_y + span.y) * picture->pitch + tile_x + span.x0;
+
+		model_shade_span(&triangle, model_raster_anchor(&triangle, tile_size), &span, colour,
+				 depth);
+		for (int i = 0; i < span.x1 - span.x0; i++) {
+			picture->colour[at + i] = colour[i];
+			picture->depth[at + i] = depth[i];
+		}
+	}
+}
+
 #endif

@@ -66,6 +66,8 @@ struct fixture {
 	struct accel_state *state;
 };
 
+static bool submitting;			/* the frame is complete */
+
 /* Every call of a frame, to the first error. */
 static int frame(const struct fixture *f, struct accel_draw *draw)
 {
@@ -78,7 +80,27 @@ static int frame(const struct fixture *f, struct accel_draw *draw)
 		err = accel_draw_clear(draw, ACCEL_CLEAR_DEPTH, NULL, 1);
 	if (!err)
 		err = accel_draw_mesh(draw, f->target, f->state, &shape.mesh);
+	submitting = !err;
 	return err ? err : accel_draw_submit(draw, NULL);
+}
+
+static void assert_picture(const struct fixture *f)
+{
+	assert_int_equal(accel_target_read_colour(f->target, got, SIDE * 4), 0);
+	assert_memory_equal(got, wanted, sizeof(got));
+}
+
+/* A frame that could not be sent is still there; one that could not be drawn is gone. */
+static void check_after_error(const struct fixture *f, struct accel_draw *draw)
+{
+	struct accel_draw_stats stats;
+
+	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	accel_draw_stats(draw, &stats);
+	if (submitting)
+		assert_picture(f);
+	else
+		assert_int_equal(stats.records, 0);
 }
 
 /* The frame with the @fail'th allocation failing, then again without. */
@@ -95,10 +117,11 @@ static void check(const struct fixture *f, long fail)
 		err = frame(f, draw);
 	failing = 0;
 	assert_int_equal(err, fail && calls >= fail ? -ENOMEM : 0);
+	if (draw && err)
+		check_after_error(f, draw);
 	if (draw) {
 		assert_int_equal(frame(f, draw), 0);
-		assert_int_equal(accel_target_read_colour(f->target, got, SIDE * 4), 0);
-		assert_memory_equal(got, wanted, sizeof(got));
+		assert_picture(f);
 	}
 	accel_draw_free(draw);
 	assert_int_equal(blocks, before);

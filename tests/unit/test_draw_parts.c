@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Triangles split at random: whichever edges are split, and however deep, the parts draw the
- * pixels of the triangle once each, and no other.
+ * pixels of the triangle once each, and no other, with its depth and the light there is.
  */
 #include "draw_test.h"
 
@@ -16,17 +16,33 @@ static void chance_edge(const struct accel_pass *pass, const struct accel_vertex
 #define HEIGHT 2048
 
 static uint8_t counts[2][WIDTH * HEIGHT];
+static uint32_t colours[2][WIDTH * HEIGHT], depths[2][WIDTH * HEIGHT];
 static uint64_t seed;
 static uint32_t split_odds;		/* in 16 */
+
+/* A surface of second order all over the target, 0 to 1. */
+static void surface_colour(int32_t x, int32_t y, float colour[3])
+{
+	float u = (float)x / (WIDTH * ACCEL_WINDOW_ONE), v = (float)y / (HEIGHT * ACCEL_WINDOW_ONE);
+
+	colour[0] = 4 * u * (1 - u);
+	colour[1] = (u - v) * (u - v);
+	colour[2] = 0.2f + 0.5f * u - 0.3f * v * v + 0.4f * u * v;
+}
 
 static void chance_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *b, int side, struct accel_edge *edge)
 {
 	(void)pass;
 	(void)side;
-	*edge = (struct accel_edge){ .split = test_below(&seed, 16) < split_odds };
-	for (int i = 0; i < 3; i++)
-		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
+	*edge = (struct accel_edge){
+		.split = test_below(&seed, 16) < split_odds,
+		.sampled = true,
+		.curved = true,
+	};
+	surface_colour((a->x + b->x) / 2, (a->y + b->y) / 2, edge->colour);
+	memcpy(edge->middle.colour, edge->colour, sizeof(edge->colour));
+	edge->middle.colour[3] = 1;
 }
 
 struct fixture {
@@ -59,21 +75,31 @@ static int teardown(void **state)
 	return 0;
 }
 
-/* Draws the triangle whole or in parts, and counts; returns how many parts there were. */
+/* Draws the triangle whole (0) or in parts (1), and counts; returns how many parts there were. */
 static uint64_t draw_counted(struct fixture *f, struct accel_vertex *const vertex[3], uint32_t odds,
-			     uint8_t *count)
+			     int which)
 {
-	struct coverage coverage = { WIDTH, HEIGHT, count, 0, 0 };
+	struct coverage coverage = { WIDTH, HEIGHT, counts[which], 0, 0 };
+	struct picture picture = { WIDTH, colours[which], depths[which] };
 
 	split_odds = odds;
 	f->stats = (struct accel_draw_stats){ 0 };
-	memset(count, 0, WIDTH * HEIGHT);
+	memset(counts[which], 0, WIDTH * HEIGHT);
 	assert_int_equal(accel_bin_begin(&f->bin, WIDTH, HEIGHT), 0);
 	accel_bin_state(&f->bin, f->state, &f->pass.transform.window.visible);
 	assert_int_equal(accel_split_draw(&f->pass, vertex, NULL, vertex[2], 0), 0);
 	records_of_bin(&f->bin, coverage_record, &coverage);
+	records_of_bin(&f->bin, picture_record, &picture);
 	assert_int_equal(coverage.empty, 0);
 	return f->stats.flat + f->stats.linear + f->stats.second_order;
+}
+
+static bool near(uint32_t a, uint32_t b)
+{
+	for (int i = 0; i < 32; i += 8)
+		if (abs((int)(a >> i & 0xff) - (int)(b >> i & 0xff)) > 1)
+			return false;
+	return true;
 }
 
 static uint64_t check(struct fixture *f, struct accel_vertex node[3], uint32_t odds)
@@ -81,12 +107,24 @@ static uint64_t check(struct fixture *f, struct accel_vertex node[3], uint32_t o
 	struct accel_vertex *const vertex[3] = { &node[0], &node[1], &node[2] };
 	uint64_t parts;
 
-	draw_counted(f, vertex, 0, counts[0]);
-	parts = draw_counted(f, vertex, odds, counts[1]);
+	for (int i = 0; i < 3; i++) {
+		surface_colour(node[i].x, node[i].y, node[i].sample.colour);
+		node[i].sample.colour[3] = 1;
+		node[i].z = (double)test_unit(&seed);
+	}
+	draw_counted(f, vertex, 0, 0);
+	parts = draw_counted(f, vertex, odds, 1);
 	if (memcmp(counts[0], counts[1], sizeof(counts[0])))
 		fail_msg("(%d,%d) (%d,%d) (%d,%d): %llu parts draw other pixels", node[0].x,
 			 node[0].y, node[1].x, node[1].y, node[2].x, node[2].y,
 			 (unsigned long long)parts);
+	for (int i = 0; i < WIDTH * HEIGHT; i++)
+		if (counts[0][i]) {
+			assert_int_equal(depths[0][i], depths[1][i]);
+			if (!near(colours[0][i], colours[1][i]))
+				fail_msg("pixel %d,%d is %08x whole, %08x in parts", i % WIDTH,
+					 i / WIDTH, colours[0][i], colours[1][i]);
+		}
 	return parts;
 }
 

@@ -50,34 +50,6 @@ static int teardown(void **state)
 	return 0;
 }
 
-struct picture {
-	uint32_t *colour, *depth;
-};
-
-static void picture_record(void *data, const uint32_t *packet, int tile_x, int tile_y,
-			   int tile_size)
-{
-	const struct model_scissor scissor = { 0, 0, tile_size, tile_size };
-	uint32_t colour[MODEL_TILE_MAX + MODEL_LANES], depth[MODEL_TILE_MAX + MODEL_LANES];
-	const struct picture *picture = data;
-	struct model_triangle triangle;
-	struct model_walk walk;
-	struct model_span span;
-
-	model_triangle_unpack(packet, tile_size, &triangle);
-	model_raster_begin(&walk, &triangle);
-	while (model_raster_next(&walk, &scissor, &span)) {
-		int at = (tile_y + span.y) * SIDE + tile_x + span.x0;
-
-		model_shade_span(&triangle, model_raster_anchor(&triangle, tile_size), &span, colour,
-				 depth);
-		for (int i = 0; i < span.x1 - span.x0; i++) {
-			picture->colour[at + i] = colour[i];
-			picture->depth[at + i] = depth[i];
-		}
-	}
-}
-
 /* Corners in a square of random size; false: the triangle has no area or crosses no row. */
 static bool corners_random(struct fixture *f)
 {
@@ -128,7 +100,7 @@ static void draw_both(struct fixture *f)
 
 	memset(counts, 0, sizeof(counts));
 	for (int i = 0; i < 2; i++) {
-		struct picture picture = { colours[i], depths[i] };
+		struct picture picture = { SIDE, colours[i], depths[i] };
 
 		assert_int_equal(accel_bin_begin(&f->bin[i], SIDE, SIDE), 0);
 		assert_int_equal(accel_bin_triangle(&f->bin[i], &f->triangle), 0);
