@@ -223,6 +223,38 @@ static int memory_error_ends_job(struct test *test)
 	return 0;
 }
 
+/*
+ * Found by a random job: when memory acknowledged the rows of two tiles back to back, a tile between
+ * them that drops both its parts was never done, and the core hung.
+ */
+static int dropped_tile_between_stores_ends(struct test *test)
+{
+	uint32_t row = 4 * test->ops->tile_size, words = 0, *stream = test->random.words;
+	struct gloss_status sim, model;
+
+	stream[words++] = GLOSS_OP_COLOUR_SURFACE << 24 | 1;
+	stream[words++] = row << 16;
+	for (uint32_t tile = 0; tile < 12; tile++) {
+		bool store = tile % 3 != 1;
+		uint32_t packets[] = { GLOSS_OP_TILE_BEGIN << 24 | 2, tile, 0,
+				       GLOSS_OP_TILE_END << 24 | (uint32_t)store << 11 | 2, 0, 0 };
+
+		memcpy(stream + words, packets, sizeof(packets));
+		words += 6;
+	}
+	test->random.job = (struct gloss_job){
+		.stream = stream, .stream_words = words,
+		.slot[0] = { 0, row * test->ops->tile_size, GLOSS_RIGHTS_READ_WRITE },
+	};
+	for (uint64_t seed = 1; seed <= 300; seed++) {
+		test->ops->stalls(test->sim, seed);
+		if (run_sim(test, 0, true, &sim) || run_model(test, 0, &model) ||
+		    compare(test, 0, &sim, &model))
+			return 1;
+	}
+	return 0;
+}
+
 static int load_plugin(struct test *test)
 {
 	void *plugin = dlopen(test->plugin, RTLD_NOW | RTLD_LOCAL);
@@ -304,7 +336,7 @@ int main(int argc, char **argv)
 	for (test.group = first; !failed && test.group < first + groups; test.group++)
 		failed = run_group(&test);
 	if (!failed && first == 0)
-		failed = memory_error_ends_job(&test);
+		failed = memory_error_ends_job(&test) || dropped_tile_between_stores_ends(&test);
 	if (!failed)
 		report(&test, groups);
 	teardown(&test);
