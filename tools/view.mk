@@ -26,6 +26,15 @@ $(BUILD)/gloss-view: $(VIEW_MAIN) $(VIEW_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
 
 -include $(SCENE_OBJS:.o=.d) $(VIEW_OBJS:.o=.d) $(VIEW_MAIN:.o=.d)
 
+$(BUILD)/tools/gloss-view-options.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
+
+.PHONY: install-view
+install-view: $(BUILD)/gloss-view
+	$(call quiet,INSTALL,gloss-view)
+	$(Q)install -D -m 755 $(BUILD)/gloss-view $(DESTDIR)$(PREFIX)/bin/gloss-view
+	$(Q)install -D -m 644 tools/gloss-view.1 $(DESTDIR)$(PREFIX)/share/man/man1/gloss-view.1
+
+INSTALLS += install-view
 LINT_C += $(VIEW_CFLAGS)
 ALL += $(BUILD)/gloss-view
 
