@@ -2,7 +2,7 @@
 # Benches of raster and shade, and what the core takes on real devices.
 
 RASTER_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/raster/*.sv rtl/shade/*.sv)) \
-	rtl/lib/stream_register.sv
+	rtl/lib/stream_fifo.sv
 RASTER_MODEL := $(addprefix $(BUILD)/libaccel/model/,triangle.o raster.o shade.o)
 RASTER_TB = tests/rtl/tb.h tests/rtl/raster_record.h
 

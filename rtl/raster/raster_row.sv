@@ -10,7 +10,7 @@
 module raster_row #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
-  parameter int unsigned Latency = 5, // at least 4
+  parameter int unsigned Latency = 5, // at least 5
   localparam int unsigned XBits = $clog2(TileSize / PixelsPerClock),
   localparam int unsigned YBits = $clog2(TileSize),
   localparam int unsigned LaneBits = (PixelsPerClock == 1) ? 1 : $clog2(PixelsPerClock)
@@ -56,7 +56,8 @@ module raster_row #(
   logic             new_q;        // and none of its blocks is out yet
   logic             left_q;       // second clock of a move to the left
   logic [XBits-1:0] column_q;     // block the row state stands at
-  logic [YBits-1:0] row_q;
+  logic [YBits-1:0] row_q;        // its row; steps a clock late
+  logic             down_q;
   logic             step_q;       // the run sends a block in this clock
   logic [XBits-1:0] run_more_q;   // and so many after it
   logic             may_start_q;  // the run is over, and before a new triangle so is the gap
@@ -120,9 +121,10 @@ module raster_row #(
       state_q <= state_i;
     end else begin
       if (aside) column_q <= right ? column_q + 1'b1 : column_q - 1'b1;
-      if (down) row_q <= row_q + 1'b1;
+      if (down_q) row_q <= row_q + 1'b1;
       if (start) new_q <= 1'b0;
     end
+    down_q <= down;
     run_more_q <= (start ? span_more_i : run_more_q) - 1'b1;
   end
 
@@ -137,19 +139,19 @@ module raster_row #(
     run_last_q <= !more;
     if (start) begin
       run_x_q <= column_q;
-      run_y_q <= row_q;
       run_low_q <= span_low_i;
       run_high_q <= span_high_i;
     end else if (step_q) begin
       run_x_q <= run_x_q + 1'b1;
     end
+    if (run_first_q) run_y_q <= row_q;
   end
 
   logic [PixelsPerClock-1:0] run_mask;
 
   if (PixelsPerClock == 1) begin : gen_mask_1
     logic unused;
-    assign unused = ^{run_first_q, run_last_q, run_low_q, run_high_q};
+    assign unused = ^{run_last_q, run_low_q, run_high_q};
     assign run_mask = 1'b1;
   end else begin : gen_mask
     // yosys would take '1 for one bit here
@@ -159,10 +161,11 @@ module raster_row #(
   end
 
   // ---- beside shade's pipeline ----
-  // valid_q[n] is n + 1 clocks after the command, part n of place_q another clock.
-  localparam int unsigned PlaceBits = XBits + YBits + PixelsPerClock;
+  // valid_q[n] is n + 1 clocks after the command, part n of place_q another clock, of rows_q two.
+  localparam int unsigned PlaceBits = XBits + PixelsPerClock;
   logic [Latency-1:0]                        valid_q, end_q;
   logic [(Latency-1)*PlaceBits-1:0]          place_q;
+  logic [(Latency-2)*YBits-1:0]              rows_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -175,26 +178,28 @@ module raster_row #(
   end
 
   always_ff @(posedge clk_i) begin
-    place_q <= {place_q[(Latency-2)*PlaceBits-1:0], run_x_q, run_y_q, run_mask};
+    place_q <= {place_q[(Latency-2)*PlaceBits-1:0], run_x_q, run_mask};
+    rows_q <= {rows_q[(Latency-3)*YBits-1:0], run_y_q};
   end
 
-  // The state of a triangle stays for three clocks after its last block, so it is handed on every
-  // third clock only.
-  localparam int unsigned Stations = (Latency - 1) / 3 + 1;
+  // A block's state is taken with the first block of its run. The state of a triangle stays for
+  // three clocks after its last block, so it is handed on every third clock only.
+  localparam int unsigned Stations = (Latency - 2) / 3 + 1;
   localparam int unsigned StateBits = 9;
   logic [Stations*StateBits-1:0] station_q;
 
   always_ff @(posedge clk_i) begin
-    if (start || send_end) station_q[StateBits-1:0] <= send_end ? state_i : state_q;
+    if (run_first_q || end_q[0]) station_q[StateBits-1:0] <= state_q;
     for (int n = 1; n < Stations; n++) begin
-      if (valid_q[3*n-1] || end_q[3*n-1]) begin
+      if (valid_q[3*n] || end_q[3*n]) begin
         station_q[StateBits*n +: StateBits] <= station_q[StateBits*(n-1) +: StateBits];
       end
     end
   end
 
   assign block_valid_o = valid_q[Latency-1];
-  assign {block_x_o, block_y_o, block_mask_o} = place_q[(Latency-2)*PlaceBits +: PlaceBits];
+  assign {block_x_o, block_mask_o} = place_q[(Latency-2)*PlaceBits +: PlaceBits];
+  assign block_y_o = rows_q[(Latency-3)*YBits +: YBits];
   assign block_state_o = station_q[StateBits*(Stations-1) +: StateBits];
   assign end_o = end_q[Latency-1];
   assign end_bank_o = block_state_o.bank;

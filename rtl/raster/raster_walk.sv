@@ -171,8 +171,11 @@ module raster_walk #(
     end
   end
 
-  stream_register #(
-    .Width(2 + 2 * XBits + 2 * LaneBits)
+  // A FIFO and not a stream_register: taking a span then moves a pointer and enables no wide register,
+  // which is what raster_row has time for.
+  stream_fifo #(
+    .Width(2 + 2 * XBits + 2 * LaneBits),
+    .Depth(2)
   ) spans (
     .clk_i(clk_i),
     .rst_ni(rst_ni),
