@@ -9,7 +9,7 @@ view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 	$(Q)tests/view/run $(abspath $<) $(MODELS)
 
 # A test of the viewer's insides includes the file it is about.
-VIEW_TESTS := test_mesh test_phong test_picture test_view_window
+VIEW_TESTS := test_mesh test_phong test_picture test_view_camera test_view_window
 
 $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(SCENE_OBJS) \
 		$(BUILD)/libaccel.a
@@ -27,5 +27,13 @@ $(VIEW_TESTS:%=run-%): run-%: $(BUILD)/tests/view/%
 
 -include $(VIEW_TESTS:%=$(BUILD)/tests/view/%.d)
 
+# The same with the compiler's checks built in. SDL's own libraries leak.
+.PHONY: view-sanitize
+view-sanitize: ## gloss-view and its tests under ASan and UBSan
+	$(Q)+ASAN_OPTIONS=detect_leaks=0 $(SANITIZED_MAKE) BUILD=$(BUILD)/asan-view \
+		CFLAGS='$(SANITIZED_CFLAGS)' run-test_view_window
+	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan-view CFLAGS='$(SANITIZED_CFLAGS)' \
+		$(patsubst %,run-%,$(filter-out %_window,$(VIEW_TESTS))) view
+
 UNIT_TESTS += $(VIEW_TESTS)
-CHECKS += view
+CHECKS += view view-sanitize
