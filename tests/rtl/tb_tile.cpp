@@ -311,11 +311,13 @@ static void tiles_in_stream_order(TileBench &bench, int tiles)
 	/* load, store, answer, places, odd pitch, idle, draws, longest */
 	static const Wish often = { 50, 45, 30, 8, 0, 10, 6, rows };
 	static const Wish same_place = { 80, 80, 10, 1, 0, 5, 3, 20 };
+	static const Wish empty = { 10, 20, 10, 8, 0, 5, 0, 1 };
 	static const Wish any_pitch = { 60, 80, 10, 4, 50, 5, 3, 20 };
 
 	for (bool unkind : { false, true }) {
 		bench.run(often, tiles, unkind);
 		bench.run(same_place, tiles, unkind);
+		bench.run(empty, 4 * tiles, unkind);
 		bench.run(any_pitch, tiles, unkind);
 	}
 }
