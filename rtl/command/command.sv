@@ -6,7 +6,8 @@
 //                                 command_packet -> tile, memory        all else, a step a clock
 //
 // TILE_BEGIN and TILE_END go to tile at once and leave a mark in the render queue; so loading runs ahead of drawing.
-// The queue holds two compact second-order records. tile_idle_i and copy_idle_i fall a clock after their op was taken
+// The queue is as deep as block RAM is anyway; it is what lets a tile of small triangles be loaded and stored beside
+// the drawing of others. tile_idle_i and copy_idle_i fall a clock after their op was taken
 // at the latest, and rise when nothing more of it can be seen: writes acknowledged, answers delivered.
 module command #(
   parameter int unsigned TileSize = 64,
@@ -77,7 +78,7 @@ module command #(
 );
 
   localparam int unsigned CountBits = $clog2(StreamBits / 32 + 1);
-  localparam int unsigned QueueDepth = StreamBits == 128 ? 32 : 64;
+  localparam int unsigned QueueDepth = StreamBits == 32 ? 256 : 512;
 
   logic                  start;
   logic [StreamBits-1:0] words;

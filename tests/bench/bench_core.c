@@ -209,8 +209,21 @@ static void draw_full(struct bench *b, unsigned int geometry, unsigned int n)
 	full_tile(b, (enum gloss_geometry)geometry);
 }
 
-/* Clocks of a tile of just over 4,096 pixels. */
-static double tile_clocks(struct bench *b, bool transfer)
+static void draw_one_layer(struct bench *b, unsigned int n)
+{
+	full_tile(b, GLOSS_GEOMETRY_COVERING);
+	small_triangle(b, 8, n);
+}
+
+static void draw_triangles(struct bench *b, unsigned int n)
+{
+	for (unsigned int i = 0; i < 9; i++)
+		small_triangle(b, 32, 9 * n + i);
+}
+
+/* Clocks of a tile of just over 4,096 drawn pixels. */
+static double tile_clocks(struct bench *b, void (*draw)(struct bench *b, unsigned int n),
+			  bool transfer)
 {
 	const unsigned int few = 8, many = 40;
 	uint64_t clocks[2];
@@ -219,8 +232,7 @@ static double tile_clocks(struct bench *b, bool transfer)
 		begin_stream(b);
 		for (unsigned int n = 0; n < (i ? many : few); n++) {
 			tile_begin(b, transfer, n);
-			full_tile(b, GLOSS_GEOMETRY_COVERING);
-			small_triangle(b, 8, n);
+			draw(b, n);
 			tile_end(b, transfer, n);
 		}
 		clocks[i] = run(b, NULL);
@@ -236,7 +248,7 @@ static void figure(struct bench *b, const char *name, double value, enum aim aim
 {
 	bool missed = (aim == AT_LEAST && value < limit) || (aim == AT_MOST && value > limit);
 
-	printf("%-26s %10.4g", name, value);
+	printf("%-34s %10.4g", name, value);
 	if (aim != NO_AIM)
 		printf("   # %s %g%s", aim == AT_LEAST ? "at least" : "at most", limit,
 		       missed ? ": MISSED" : "");
@@ -259,11 +271,22 @@ static void figure_full(struct bench *b)
 
 static void figure_transfer(struct bench *b)
 {
-	double with = tile_clocks(b, true), without = tile_clocks(b, false);
-	char name[32];
+	static const struct {
+		const char *name;
+		void (*draw)(struct bench *b, unsigned int n);
+	} tiles[] = {
+		{ "core.ratio.load_store", draw_one_layer },
+		{ "core.ratio.load_store.tri_512px", draw_triangles },
+	};
+	char name[48];
 
-	snprintf(name, sizeof(name), "core.ratio.load_store.k%u", b->ops->pixels_per_clock);
-	figure(b, name, with / without, AT_MOST, 1.05);
+	for (unsigned int n = 0; n < ARRAY(tiles); n++) {
+		double with = tile_clocks(b, tiles[n].draw, true);
+		double without = tile_clocks(b, tiles[n].draw, false);
+
+		snprintf(name, sizeof(name), "%s.k%u", tiles[n].name, b->ops->pixels_per_clock);
+		figure(b, name, with / without, AT_MOST, 1.05);
+	}
 }
 
 static void figure_small(struct bench *b)
