@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The draw calls: what they take, refuse, and put on the target. */
+#include "../../tools/decode.h"
 #include "draw_mesh.h"
 
 #define SIDE 96
@@ -18,6 +19,23 @@ struct fixture {
 static uint32_t pixels[SIDE * SIDE], others[SIDE * SIDE];
 
 static const float black[4] = { 0, 0, 0, 0 };
+
+int __real_accel_stream_submit(struct accel_stream *stream, uint32_t *response,
+			       uint32_t response_words, struct accel_fence **fence);
+int __wrap_accel_stream_submit(struct accel_stream *stream, uint32_t *response,
+			       uint32_t response_words, struct accel_fence **fence);
+
+/* Every stream that these tests make, frames and transfers, is one that gloss-decode reads. */
+int __wrap_accel_stream_submit(struct accel_stream *stream, uint32_t *response,
+			       uint32_t response_words, struct accel_fence **fence)
+{
+	struct decode_packet last;
+	size_t count;
+	const uint32_t *words = accel_stream_words(stream, &count);
+
+	assert_int_equal(decode_stream(words, (uint32_t)count, 0, &last), GLOSS_FAULT_NONE);
+	return __real_accel_stream_submit(stream, response, response_words, fence);
+}
 
 /* Two triangles over the whole view, counter-clockwise. */
 static const float square[4][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 } };
