@@ -128,9 +128,9 @@ static inline unsigned int gloss_header_length(uint32_t header)
  * it: x, and the remainder r of the exact division, 0 <= r < dy. To the next row: r += m, x +=
  * step; if r >= dy then r -= dy, x += 1. A row's pixels are left.x <= x < right.x. Before row
  * switch_row (counted from the triangle's first row, 0 is never) the middle edge, as sent, takes
- * the place of the left (side 0) or right (side 1) one. dy is the edge's height in 1/16 pixel.
- * Registers wrap: x, step at 13 bits, r, m, dy at 16, and a sum wraps before it is compared; so an
- * edge is exact up to a dy of 2^15.
+ * the place of the left (side 0) or right (side 1) one. r, m and dy count parts of a pixel, dy of
+ * them to one; any unit will do in which they are whole. Registers wrap: x, step at 13 bits, r, m,
+ * dy at 16, and a sum wraps before it is compared; so an edge is exact up to a dy of 2^15.
  */
 struct gloss_edges_wide {
 	int32_t left_x;
