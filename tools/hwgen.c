@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "hwgen.h"
+#include "output.h"
 
 static const char usage[] =
 	"usage: hwgen [--c FILE] [--sv FILE] [--table FILE] [--manual FILE] INTERFACE.xml\n"
@@ -71,43 +71,25 @@ static bool same(const char *path, const char *data, size_t size)
 	return equal;
 }
 
-static bool put(int fd, const char *data, size_t size)
-{
-	FILE *file = fdopen(fd, "wb");
-	bool ok;
-
-	if (!file) {
-		close(fd);
-		return false;
-	}
-	ok = fwrite(data, 1, size, file) == size;
-	return !fclose(file) && ok;
-}
-
 static void replace(const char *path, const char *data, size_t size)
 {
 	struct stat status;
-	size_t size_max = strlen(path) + sizeof(".XXXXXX");
-	char *temporary = hw_alloc(size_max);
-	mode_t mask = umask(0);
-	int fd, error;
+	struct output file;
+	int error;
 
-	umask(mask);
 	if (!stat(path, &status) && !S_ISREG(status.st_mode))
 		hw_fail(path, 0, "not a regular file");
-	snprintf(temporary, size_max, "%s.XXXXXX", path);
-	fd = mkstemp(temporary);
-	if (fd < 0)
-		hw_fail(path, 0, "%s", strerror(errno));
-	if (fchmod(fd, 0666 & ~mask) || !put(fd, data, size) || rename(temporary, path)) {
-		error = errno;
-		unlink(temporary);
-		hw_fail(path, 0, "%s", strerror(error));
+	error = output_open(&file, path);
+	if (!error) {
+		fwrite(data, 1, size, file.file);
+		error = output_commit(&file);
 	}
+	if (error)
+		hw_fail(path, 0, "%s", strerror(-error));
 }
 
-static void output(const char *path, void (*write)(FILE *out, const struct hw_interface *hw),
-		   const struct hw_interface *hw)
+static void write_file(const char *path, void (*write)(FILE *out, const struct hw_interface *hw),
+		       const struct hw_interface *hw)
 {
 	char *data = NULL;
 	size_t size = 0;
@@ -155,7 +137,7 @@ int main(int argc, char **argv)
 	hw_check_names(&hw);
 	for (int i = 0; i < 4; i++) {
 		if (paths[i])
-			output(paths[i], writers[i], &hw);
+			write_file(paths[i], writers[i], &hw);
 	}
 	while (blocks) {
 		struct block *next = blocks->next;

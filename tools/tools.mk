@@ -3,14 +3,16 @@
 
 HWGEN := $(BUILD)/hwgen
 HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen*.c)))
+# Files that appear whole or not at all; gloss-view writes its pictures with it too.
+OUTPUT_OBJECT := $(BUILD)/tools/output.o
 DECODE_OBJECTS := $(BUILD)/tools/decode.o $(BUILD)/tools/decode_print.o
 
-$(HWGEN_OBJECTS) $(DECODE_OBJECTS) $(BUILD)/tools/gloss-decode.o: $(BUILD)/%.o: %.c
+$(HWGEN_OBJECTS) $(OUTPUT_OBJECT) $(DECODE_OBJECTS) $(BUILD)/tools/gloss-decode.o: $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
 
-$(HWGEN): $(HWGEN_OBJECTS)
+$(HWGEN): $(HWGEN_OBJECTS) $(OUTPUT_OBJECT)
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lexpat
 
@@ -18,7 +20,7 @@ $(BUILD)/gloss-decode: $(BUILD)/tools/gloss-decode.o $(DECODE_OBJECTS)
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
--include $(HWGEN_OBJECTS:.o=.d) $(DECODE_OBJECTS:.o=.d) $(BUILD)/tools/gloss-decode.d
+-include $(HWGEN_OBJECTS:.o=.d) $(OUTPUT_OBJECT:.o=.d) $(DECODE_OBJECTS:.o=.d) $(BUILD)/tools/gloss-decode.d
 
 ALL += $(BUILD)/gloss-decode
 
