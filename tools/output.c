@@ -81,6 +81,22 @@ static int open_beside(struct output *output)
 	return fd < 0 ? -errno : fd;
 }
 
+/* Takes the temporary file away or to its place. */
+static int finish(struct output *output, int error)
+{
+	if (output->temporary) {
+		hold_signals(SIG_BLOCK);
+		if (!error && rename(output->temporary, output->path))
+			error = -errno;
+		if (error)
+			unlink(output->temporary);
+		unfinished[0] = '\0';
+		hold_signals(SIG_UNBLOCK);
+	}
+	forget(output);
+	return error;
+}
+
 int output_open(struct output *output, const char *path)
 {
 	struct stat status;
@@ -104,23 +120,10 @@ int output_open(struct output *output, const char *path)
 		return fd;
 	}
 	output->file = fdopen(fd, "wb");
-	return output->file ? 0 : -ENOMEM;
-}
-
-/* Takes the temporary file away or to its place. */
-static int finish(struct output *output, int error)
-{
-	if (output->temporary) {
-		hold_signals(SIG_BLOCK);
-		if (!error && rename(output->temporary, output->path))
-			error = -errno;
-		if (error)
-			unlink(output->temporary);
-		unfinished[0] = '\0';
-		hold_signals(SIG_UNBLOCK);
-	}
-	forget(output);
-	return error;
+	if (output->file)
+		return 0;
+	close(fd);
+	return finish(output, -ENOMEM);
 }
 
 int output_commit(struct output *output)
