@@ -151,10 +151,13 @@ static int set_target(struct accel_draw *draw, const struct accel_target *target
 static int reserve_vertices(struct accel_draw *draw, uint32_t count)
 {
 	struct accel_vertex *vertex;
+	size_t size;
 
 	if (count <= draw->vertices)
 		return 0;
-	vertex = realloc(draw->vertex, count * sizeof(*vertex));
+	if (__builtin_mul_overflow(count, sizeof(*vertex), &size))
+		return -ENOMEM;
+	vertex = realloc(draw->vertex, size);
 	if (!vertex)
 		return -ENOMEM;
 	draw->vertex = vertex;

@@ -207,7 +207,7 @@ int accel_mesh_draw(struct accel_pass *pass)
 	uint32_t index[3];
 	int err = 0;
 
-	for (uint32_t i = 0; elements - i >= 3 && i < elements && !err; i += step) {
+	for (uint32_t i = 0; elements - i >= 3 && !err; i += step) {
 		triangle_index(mesh, i, index);
 		err = draw_triangle(pass, index);
 	}
