@@ -48,7 +48,11 @@ include tools/view.mk
 include rtl/raster/raster.mk
 include rtl/command/command.mk
 include rtl/tile/tile.mk
+include rtl/port/port.mk
+include driver/driver.mk
+include tools/vboard/vboard.mk
 include tests/stream/stream.mk
+include tests/vm/vm.mk
 include tests/tests.mk
 
 .PHONY: all deps demo check unit lint install clean help

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What userspace asks of the gloss kernel module, on a render node or a primary
+ * node. A job is a command stream (rtl/INTERFACE.md), a response buffer and a
+ * table of slots: ranges of board memory, the only ones its stream can reach.
+ *
+ * All structs have the same layout for 32 and 64-bit programs. Reserved fields and
+ * unknown flags must be zero, else the answer is -EINVAL.
+ */
+#ifndef _GLOSS_DRM_H_
+#define _GLOSS_DRM_H_
+
+#include "drm.h"
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+#define DRM_GLOSS_GET_PARAM		0x00
+#define DRM_GLOSS_GEM_CREATE		0x01
+#define DRM_GLOSS_GEM_MMAP_OFFSET	0x02
+#define DRM_GLOSS_SUBMIT		0x03
+
+#define DRM_IOCTL_GLOSS_GET_PARAM \
+	DRM_IOWR(DRM_COMMAND_BASE + DRM_GLOSS_GET_PARAM, struct drm_gloss_get_param)
+#define DRM_IOCTL_GLOSS_GEM_CREATE \
+	DRM_IOWR(DRM_COMMAND_BASE + DRM_GLOSS_GEM_CREATE, struct drm_gloss_gem_create)
+#define DRM_IOCTL_GLOSS_GEM_MMAP_OFFSET \
+	DRM_IOWR(DRM_COMMAND_BASE + DRM_GLOSS_GEM_MMAP_OFFSET, struct drm_gloss_gem_mmap_offset)
+#define DRM_IOCTL_GLOSS_SUBMIT \
+	DRM_IOW(DRM_COMMAND_BASE + DRM_GLOSS_SUBMIT, struct drm_gloss_submit)
+
+/** enum drm_gloss_param - what GET_PARAM can tell */
+enum drm_gloss_param {
+	/** @DRM_GLOSS_PARAM_VERSION: version of the board's command stream */
+	DRM_GLOSS_PARAM_VERSION,
+	/** @DRM_GLOSS_PARAM_TILE_SIZE: pixels of a tile's side, 32 or 64 */
+	DRM_GLOSS_PARAM_TILE_SIZE,
+	/** @DRM_GLOSS_PARAM_PIXELS_PER_CLOCK: 1, 2, 4 or 8 */
+	DRM_GLOSS_PARAM_PIXELS_PER_CLOCK,
+	/** @DRM_GLOSS_PARAM_MEMORY_SIZE: bytes of board memory */
+	DRM_GLOSS_PARAM_MEMORY_SIZE,
+	/** @DRM_GLOSS_PARAM_SLOTS: entries of a job's slot table */
+	DRM_GLOSS_PARAM_SLOTS,
+	/** @DRM_GLOSS_PARAM_STREAM_WORDS_MAX: words of the longest stream or response */
+	DRM_GLOSS_PARAM_STREAM_WORDS_MAX,
+	/**
+	 * @DRM_GLOSS_PARAM_JOBS_LOST: jobs of this open file that hung the board, or
+	 * were lost with it; a fault of a stream is not counted
+	 */
+	DRM_GLOSS_PARAM_JOBS_LOST,
+};
+
+/** struct drm_gloss_get_param - ask for a number */
+struct drm_gloss_get_param {
+	/** @param: in, enum drm_gloss_param; unknown: -EINVAL */
+	__u32 param;
+	/** @pad: must be zero */
+	__u32 pad;
+	/** @value: out */
+	__u64 value;
+};
+
+/** enum drm_gloss_gem_kind - where an object's bytes are */
+enum drm_gloss_gem_kind {
+	/**
+	 * @DRM_GLOSS_GEM_HOST: in pages of the host, which programs map and the board
+	 * reads streams from and writes responses to; can be exported as dma-buf
+	 */
+	DRM_GLOSS_GEM_HOST,
+	/**
+	 * @DRM_GLOSS_GEM_BOARD: in board memory, which only jobs reach; can not be
+	 * mapped or exported. Reads zero until it is written.
+	 */
+	DRM_GLOSS_GEM_BOARD,
+};
+
+/**
+ * struct drm_gloss_gem_create - make an object
+ *
+ * -EINVAL: size zero or too large for its kind, or a bad field; -ENOSPC: no such
+ * range of board memory is free; -ENOMEM.
+ */
+struct drm_gloss_gem_create {
+	/** @size: in, bytes; out, rounded up to whole pages of 4096 bytes */
+	__u64 size;
+	/** @kind: in, enum drm_gloss_gem_kind */
+	__u32 kind;
+	/** @flags: must be zero */
+	__u32 flags;
+	/** @handle: out, a GEM handle of this open file */
+	__u32 handle;
+	/** @pad: must be zero */
+	__u32 pad;
+};
+
+/**
+ * struct drm_gloss_gem_mmap_offset - where to map a host object
+ *
+ * -ENOENT: no such handle; -EINVAL: an object in board memory, an imported one, or a bad
+ * field.
+ */
+struct drm_gloss_gem_mmap_offset {
+	/** @handle: in */
+	__u32 handle;
+	/** @pad: must be zero */
+	__u32 pad;
+	/** @offset: out, what to pass to mmap() of the node */
+	__u64 offset;
+};
+
+#define DRM_GLOSS_SLOT_READ	(1 << 0)
+#define DRM_GLOSS_SLOT_WRITE	(1 << 1)
+
+/** struct drm_gloss_slot - a range of board memory that a job's stream may name */
+struct drm_gloss_slot {
+	/** @handle: of a board object; 0: this slot is empty, all other fields are zero */
+	__u32 handle;
+	/** @rights: DRM_GLOSS_SLOT_READ, DRM_GLOSS_SLOT_WRITE or both */
+	__u32 rights;
+	/** @offset: bytes from the object's start, a multiple of 4096 */
+	__u64 offset;
+	/** @size: bytes, a multiple of 4, not zero, inside the object, below 2^32 */
+	__u64 size;
+};
+
+#define DRM_GLOSS_SYNC_TIMELINE	(1 << 0)
+
+/** struct drm_gloss_sync - a syncobj to wait for before, or to signal after a job */
+struct drm_gloss_sync {
+	/** @handle: of a syncobj */
+	__u32 handle;
+	/** @flags: 0, or DRM_GLOSS_SYNC_TIMELINE */
+	__u32 flags;
+	/** @point: of a timeline, not zero; zero without DRM_GLOSS_SYNC_TIMELINE */
+	__u64 point;
+};
+
+/** enum drm_gloss_priority - which of several files' waiting jobs the board takes next */
+enum drm_gloss_priority {
+	/** @DRM_GLOSS_PRIORITY_NORMAL: the usual */
+	DRM_GLOSS_PRIORITY_NORMAL,
+	/** @DRM_GLOSS_PRIORITY_LOW: after all others */
+	DRM_GLOSS_PRIORITY_LOW,
+	/** @DRM_GLOSS_PRIORITY_HIGH: before all others; takes CAP_SYS_NICE, else -EACCES */
+	DRM_GLOSS_PRIORITY_HIGH,
+};
+
+/**
+ * struct drm_gloss_status - what became of a job
+ *
+ * Written to a host object before the job's fence signals.
+ */
+struct drm_gloss_status {
+	/**
+	 * @error: 0: the board ended the job, and @cause says how; -EIO: it hung the board
+	 * or met a DMA error; -ENODEV: the board is gone; -ECANCELED: the file was closed
+	 * first. The job's fence has the same error, or -EIO if @cause is not zero.
+	 */
+	__s32 error;
+	/** @cause: enum gloss_fault of the stream (rtl/INTERFACE.md); 0: none */
+	__u32 cause;
+	/** @offset: word of the stream the fault is at; without one the stream's length */
+	__u32 offset;
+	/** @response_words: words of the response that are valid */
+	__u32 response_words;
+};
+
+/* Most entries of in_syncs, and of out_syncs. */
+#define DRM_GLOSS_SYNCS_MAX	64
+
+/**
+ * struct drm_gloss_submit - queue a job
+ *
+ * Jobs of one open file and priority run in the order of their submission, each when its
+ * in-syncs and the fences of its objects' reservations have signalled. Nothing of a
+ * job that is refused happens. Each range must be inside its host object.
+ *
+ * -ENOENT: a handle names nothing; -EINVAL: a bad field, or an object of the wrong kind;
+ * -EFAULT: a bad pointer; -E2BIG: too many slots or syncs; -EACCES: priority; -ENODEV: the
+ * board is gone; -ENOMEM; -EINTR.
+ */
+struct drm_gloss_submit {
+	/** @flags: must be zero */
+	__u32 flags;
+	/** @priority: enum drm_gloss_priority */
+	__u32 priority;
+	/** @stream: handle of the host object that holds the stream */
+	__u32 stream;
+	/** @stream_words: its length; 0: an empty job, @stream and @stream_offset are 0 */
+	__u32 stream_words;
+	/** @stream_offset: bytes, a multiple of 4096 */
+	__u64 stream_offset;
+	/** @response: handle of the host object that receives the response */
+	__u32 response;
+	/** @response_words: its room; 0: none, @response and @response_offset are 0 */
+	__u32 response_words;
+	/** @response_offset: bytes, a multiple of 4096 */
+	__u64 response_offset;
+	/** @status: handle of the host object that receives struct drm_gloss_status; 0: none */
+	__u32 status;
+	/** @slot_count: entries of @slots, at most DRM_GLOSS_PARAM_SLOTS */
+	__u32 slot_count;
+	/** @status_offset: bytes, a multiple of 16; 0 without @status */
+	__u64 status_offset;
+	/** @slots: pointer to struct drm_gloss_slot; entry i is the stream's slot i */
+	__u64 slots;
+	/** @in_syncs: pointer to struct drm_gloss_sync, waited for before the job */
+	__u64 in_syncs;
+	/** @out_syncs: pointer to struct drm_gloss_sync, signalled when the job has ended */
+	__u64 out_syncs;
+	/** @in_sync_count: entries of @in_syncs */
+	__u32 in_sync_count;
+	/** @out_sync_count: entries of @out_syncs */
+	__u32 out_sync_count;
+	/** @slot_stride: sizeof(struct drm_gloss_slot); 0 if @slot_count is */
+	__u32 slot_stride;
+	/** @sync_stride: sizeof(struct drm_gloss_sync); 0 if both counts are */
+	__u32 sync_stride;
+};
+
+#if defined(__cplusplus)
+}
+#endif
+
+#endif

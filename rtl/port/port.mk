@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+# The ports: benches, and the comparison with their model.
