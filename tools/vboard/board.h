@@ -18,12 +18,26 @@
 
 struct gloss_board;
 
+/* What a host answers to DMA. */
+enum gloss_dma {
+	GLOSS_DMA_REFUSED,		/* as a bus does with an address it does not know */
+	GLOSS_DMA_DONE,
+	/*
+	 * Not done yet; only to the write of a completion record, by a host that makes
+	 * a board slow or hang. The job is still running, nothing after the record has
+	 * happened (HEAD, events), and later calls of work() ask again until there is
+	 * another answer. Not after CONTROL.reset: then the record is dropped, or
+	 * asked for once more.
+	 */
+	GLOSS_DMA_LATER,
+};
+
 /* What a board asks of the host it is plugged into. */
 struct gloss_board_host {
 	void *data;
-	/* DMA. False: the host refused, as a bus does with an address it does not know. */
-	bool (*read)(void *data, uint64_t address, void *to, uint32_t bytes);
-	bool (*write)(void *data, uint64_t address, const void *from, uint32_t bytes);
+	/* DMA. A completion record is one write of its 16 bytes. */
+	enum gloss_dma (*read)(void *data, uint64_t address, void *to, uint32_t bytes);
+	enum gloss_dma (*write)(void *data, uint64_t address, const void *from, uint32_t bytes);
 	/* The level of INTx has changed. */
 	void (*level)(void *data, bool level);
 	/* An event whose mask bit is set has happened: an MSI is due. */
@@ -57,5 +71,8 @@ struct gloss_board_ops {
 	/* The power-on state again; board memory keeps its content. */
 	void (*reset)(struct gloss_board *board);
 };
+
+/* The C model of the board, in tiles of 32 and of 64 pixels. */
+extern const struct gloss_board_ops gloss_board_model_t32, gloss_board_model_t64;
 
 #endif
