@@ -30,7 +30,9 @@ extern "C" {
 #define DRM_IOCTL_GLOSS_SUBMIT \
 	DRM_IOW(DRM_COMMAND_BASE + DRM_GLOSS_SUBMIT, struct drm_gloss_submit)
 
-/** enum drm_gloss_param - what GET_PARAM can tell */
+/**
+ * enum drm_gloss_param - what GET_PARAM can tell
+ */
 enum drm_gloss_param {
 	/** @DRM_GLOSS_PARAM_VERSION: version of the board's command stream */
 	DRM_GLOSS_PARAM_VERSION,
@@ -51,7 +53,9 @@ enum drm_gloss_param {
 	DRM_GLOSS_PARAM_JOBS_LOST,
 };
 
-/** struct drm_gloss_get_param - ask for a number */
+/**
+ * struct drm_gloss_get_param - ask for a number
+ */
 struct drm_gloss_get_param {
 	/** @param: in, enum drm_gloss_param; unknown: -EINVAL */
 	__u32 param;
@@ -61,7 +65,9 @@ struct drm_gloss_get_param {
 	__u64 value;
 };
 
-/** enum drm_gloss_gem_kind - where an object's bytes are */
+/**
+ * enum drm_gloss_gem_kind - where an object's bytes are
+ */
 enum drm_gloss_gem_kind {
 	/**
 	 * @DRM_GLOSS_GEM_HOST: in pages of the host, which programs map and the board
@@ -112,7 +118,9 @@ struct drm_gloss_gem_mmap_offset {
 #define DRM_GLOSS_SLOT_READ	(1 << 0)
 #define DRM_GLOSS_SLOT_WRITE	(1 << 1)
 
-/** struct drm_gloss_slot - a range of board memory that a job's stream may name */
+/**
+ * struct drm_gloss_slot - a range of board memory that a job's stream may name
+ */
 struct drm_gloss_slot {
 	/** @handle: of a board object; 0: this slot is empty, all other fields are zero */
 	__u32 handle;
@@ -126,7 +134,9 @@ struct drm_gloss_slot {
 
 #define DRM_GLOSS_SYNC_TIMELINE	(1 << 0)
 
-/** struct drm_gloss_sync - a syncobj to wait for before, or to signal after a job */
+/**
+ * struct drm_gloss_sync - a syncobj to wait for before, or to signal after a job
+ */
 struct drm_gloss_sync {
 	/** @handle: of a syncobj */
 	__u32 handle;
@@ -136,7 +146,9 @@ struct drm_gloss_sync {
 	__u64 point;
 };
 
-/** enum drm_gloss_priority - which of several files' waiting jobs the board takes next */
+/**
+ * enum drm_gloss_priority - which of several files' waiting jobs the board takes next
+ */
 enum drm_gloss_priority {
 	/** @DRM_GLOSS_PRIORITY_NORMAL: the usual */
 	DRM_GLOSS_PRIORITY_NORMAL,
