@@ -34,3 +34,44 @@ $(MODULE_BUILD)/kdir: FORCE
 
 install-module: $(MODULE) ## install gloss.ko for the kernel of KDIR (DESTDIR)
 	$(Q)$(KBUILD) INSTALL_MOD_PATH=$(DESTDIR) modules_install
+
+# Static checks. The tools that the headers lack come out of the kernel's sources.
+KERNEL_SOURCE ?= $(lastword $(sort $(wildcard /usr/src/linux-source-*.tar.*)))
+KERNEL_SCRIPTS := $(BUILD)/kernel/scripts
+CHECKPATCH = perl $(KERNEL_SCRIPTS)/checkpatch.pl --no-tree --strict --terse --no-summary --quiet
+
+$(KERNEL_SCRIPTS)/checkpatch.pl:
+	$(call quiet,UNPACK,$(KERNEL_SOURCE))
+	@mkdir -p $(BUILD)/kernel
+	$(Q)tar -xaf $(KERNEL_SOURCE) -C $(BUILD)/kernel --strip-components=1 --wildcards \
+		'*/scripts/checkpatch.pl' '*/scripts/spelling.txt' \
+		'*/scripts/const_structs.checkpatch' '*/scripts/kernel-doc'
+	@touch $@
+
+.PHONY: lint-checkpatch lint-sparse lint-uapi
+# BIT() is the kernel's own, programs that include the uapi header do not have it.
+lint-checkpatch: $(KERNEL_SCRIPTS)/checkpatch.pl ## the kernel's checkpatch on the driver
+	$(call quiet,LINT,checkpatch driver)
+	$(Q)$(CHECKPATCH) -f $(filter-out %/gloss_drm.h,$(wildcard driver/*.[ch])) driver/Kbuild
+	$(Q)$(CHECKPATCH) --ignore BIT_MACRO -f driver/gloss_drm.h
+
+# gloss_drm.h for itself, in C and C++; without padding that a compiler chose, and with the
+# same offsets for 32-bit programs; documented.
+UAPI = echo '\#include "gloss_drm.h"' | $(1) -Wall -Wextra -Werror -Idriver \
+	$(patsubst -I%,-isystem %,$(shell pkg-config --cflags libdrm)) -fsyntax-only $(2) -
+UAPI_LAYOUT = $(call UAPI,clang --target=$(1)-linux-gnu, -Wpadded -x c \
+	-isystem /usr/include/$(shell $(CC) -print-multiarch) \
+	-Xclang -fdump-record-layouts-complete -Xclang -fdump-record-layouts-simple) \
+	>$(BUILD)/check/layout-$(1).txt
+
+lint-uapi: $(KERNEL_SCRIPTS)/checkpatch.pl ## gloss_drm.h alone: C, C++, 32-bit layout, kernel-doc
+	$(call quiet,LINT,gloss_drm.h)
+	@mkdir -p $(BUILD)/check
+	$(Q)$(call UAPI,$(CC) -std=c99 -pedantic,-x c)
+	$(Q)$(call UAPI,$(CXX) -std=c++11 -pedantic,-x c++)
+	$(Q)$(call UAPI_LAYOUT,x86_64)
+	$(Q)$(call UAPI_LAYOUT,i386)
+	$(Q)driver/same-layout $(BUILD)/check/layout-x86_64.txt $(BUILD)/check/layout-i386.txt
+	$(Q)perl $(KERNEL_SCRIPTS)/kernel-doc -none -Werror driver/gloss_drm.h
+
+LINTS += lint-uapi
