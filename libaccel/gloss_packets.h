@@ -6,10 +6,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Version of this interface; a core reports it. */
-#define GLOSS_VERSION 1u
-/* Entries of the slot table. */
-#define GLOSS_SLOTS 16u
 /* Response words of COUNTERS. */
 #define GLOSS_COUNTER_WORDS 4u
 /* Fraction bits of colour coefficients (s10.22). */
@@ -20,6 +16,16 @@
 #define GLOSS_DEPTH_COMPACT_SHIFT 6u
 /* The anchor of a triangle's coefficients is at a multiple of this in x. */
 #define GLOSS_ANCHOR_ALIGN 8u
+/* Version of this interface; a board reports it. */
+#define GLOSS_VERSION 1u
+/* "GLOS" in memory; what IDENTITY reads. */
+#define GLOSS_IDENTITY 0x534f4c47u
+/* Entries of the slot table. */
+#define GLOSS_SLOTS 16u
+/* Pages of host memory that lists name, and of board memory. */
+#define GLOSS_PAGE_BYTES 4096u
+/* Logarithm to base 2 of the most entries of a job ring. */
+#define GLOSS_RING_MAX_LOG2 8u
 
 /* Why a job stopped. */
 enum gloss_fault {
@@ -42,6 +48,10 @@ enum gloss_fault {
 	GLOSS_FAULT_RESPONSE = 6,
 	/* Board memory answered with an error. */
 	GLOSS_FAULT_MEMORY = 7,
+	/*
+	 * The host refused a DMA access: the port's, never a stream's fault. The board has stopped.
+	 */
+	GLOSS_FAULT_DMA = 8,
 };
 
 /* Depth function: the fragment's depth compared with the stored one. */
@@ -1055,6 +1065,131 @@ static inline void gloss_status_unpack(const uint32_t *words, struct gloss_statu
 	p->cause = (enum gloss_fault)(words[0] & 0xfu);
 	p->offset = words[1];
 	p->response_words = words[2];
+}
+
+/* ---- job_descriptor ---- */
+
+#define GLOSS_JOB_DESCRIPTOR_WORDS 16
+
+/* An entry of the ring. Words without a field are zero, but not looked at. */
+struct gloss_job_descriptor {
+	/* The driver's number of the job; comes back in its completion. */
+	uint32_t sequence;
+	/* Length of the stream. */
+	uint32_t stream_words;
+	/*
+	 * Address of the list of the stream's pages, a multiple of 8; not looked at without words.
+	 */
+	uint32_t stream_list_low;
+	uint32_t stream_list_high;
+	/* Room for the response. */
+	uint32_t response_words;
+	/*
+	 * Address of the list of the response's pages, a multiple of 8; not looked at without
+	 * words.
+	 */
+	uint32_t response_list_low;
+	uint32_t response_list_high;
+	/* Address of the slot table, a multiple of 64: slots times a slot_entry. */
+	uint32_t slot_table_low;
+	uint32_t slot_table_high;
+};
+
+static inline void gloss_job_descriptor_pack(uint32_t *words, const struct gloss_job_descriptor *p)
+{
+	words[0] = p->sequence;
+	words[1] = p->stream_words;
+	words[2] = p->stream_list_low;
+	words[3] = p->stream_list_high;
+	words[4] = p->response_words;
+	words[5] = 0;
+	words[6] = p->response_list_low;
+	words[7] = p->response_list_high;
+	words[8] = p->slot_table_low;
+	words[9] = p->slot_table_high;
+	words[10] = 0;
+	words[11] = 0;
+	words[12] = 0;
+	words[13] = 0;
+	words[14] = 0;
+	words[15] = 0;
+}
+
+static inline void gloss_job_descriptor_unpack(const uint32_t *words,
+					       struct gloss_job_descriptor *p)
+{
+	p->sequence = words[0];
+	p->stream_words = words[1];
+	p->stream_list_low = words[2];
+	p->stream_list_high = words[3];
+	p->response_words = words[4];
+	p->response_list_low = words[6];
+	p->response_list_high = words[7];
+	p->slot_table_low = words[8];
+	p->slot_table_high = words[9];
+}
+
+/* ---- slot_entry ---- */
+
+#define GLOSS_SLOT_ENTRY_WORDS 4
+
+/*
+ * A range of board memory that the job's stream may name by its number. A job whose slots leave
+ * board memory is the driver's mistake: it harms no other job, and ends with MEMORY or as its
+ * stream deserves.
+ */
+struct gloss_slot_entry {
+	/* Byte address in board memory, a multiple of 4096. */
+	uint32_t base;
+	/* Bytes; base + size is at most 2^32. An empty slot has 0. */
+	uint32_t size;
+	enum gloss_rights rights;
+};
+
+static inline void gloss_slot_entry_pack(uint32_t *words, const struct gloss_slot_entry *p)
+{
+	words[0] = p->base;
+	words[1] = p->size;
+	words[2] = (uint32_t)p->rights & 0x3u;
+	words[3] = 0;
+}
+
+static inline void gloss_slot_entry_unpack(const uint32_t *words, struct gloss_slot_entry *p)
+{
+	p->base = words[0];
+	p->size = words[1];
+	p->rights = (enum gloss_rights)(words[2] & 0x3u);
+}
+
+/* ---- completion ---- */
+
+#define GLOSS_COMPLETION_WORDS 4
+
+/* How a job ended; the words of struct status behind its sequence. */
+struct gloss_completion {
+	/* That of its descriptor. */
+	uint32_t sequence;
+	enum gloss_fault cause;
+	/* Word offset of the fault; the stream's length without one. */
+	uint32_t offset;
+	/* Words of the response that were answered. */
+	uint32_t response_words;
+};
+
+static inline void gloss_completion_pack(uint32_t *words, const struct gloss_completion *p)
+{
+	words[0] = p->sequence;
+	words[1] = (uint32_t)p->cause & 0xfu;
+	words[2] = p->offset;
+	words[3] = p->response_words;
+}
+
+static inline void gloss_completion_unpack(const uint32_t *words, struct gloss_completion *p)
+{
+	p->sequence = words[0];
+	p->cause = (enum gloss_fault)(words[1] & 0xfu);
+	p->offset = words[2];
+	p->response_words = words[3];
 }
 
 /* ---- any packet ---- */

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generated from rtl/gloss.xml by tools/hwgen; do not edit. Included in gloss_pkg.
 
-  // Version of this interface; a core reports it.
-  localparam int unsigned Version = 1;
-  // Entries of the slot table.
-  localparam int unsigned Slots = 16;
   // Response words of COUNTERS.
   localparam int unsigned CounterWords = 4;
   // Fraction bits of colour coefficients (s10.22).
@@ -15,6 +11,16 @@
   localparam int unsigned DepthCompactShift = 6;
   // The anchor of a triangle's coefficients is at a multiple of this in x.
   localparam int unsigned AnchorAlign = 8;
+  // Version of this interface; a board reports it.
+  localparam int unsigned Version = 1;
+  // "GLOS" in memory; what IDENTITY reads.
+  localparam int unsigned Identity = 32'h534f4c47;
+  // Entries of the slot table.
+  localparam int unsigned Slots = 16;
+  // Pages of host memory that lists name, and of board memory.
+  localparam int unsigned PageBytes = 4096;
+  // Logarithm to base 2 of the most entries of a job ring.
+  localparam int unsigned RingMaxLog2 = 8;
 
   // Why a job stopped.
   localparam logic [3:0] FAULT_NONE = 4'd0;
@@ -25,6 +31,7 @@
   localparam logic [3:0] FAULT_SLOT = 4'd5;
   localparam logic [3:0] FAULT_RESPONSE = 4'd6;
   localparam logic [3:0] FAULT_MEMORY = 4'd7;
+  localparam logic [3:0] FAULT_DMA = 4'd8;
 
   // Depth function: the fragment's depth compared with the stored one.
   localparam logic [2:0] COMPARE_NEVER = 3'd0;
@@ -88,6 +95,37 @@
   localparam logic [10:0] COLOUR_FLAT_WORDS = 11'd1;
   localparam logic [10:0] COLOUR_LINEAR_WORDS = 11'd9;
   localparam logic [10:0] COLOUR_SECOND_ORDER_WORDS = 11'd18;
+
+  // Byte offsets of registers.
+  localparam logic [15:0] REG_IDENTITY = 16'h0000;
+  localparam logic [15:0] REG_VERSION = 16'h0004;
+  localparam logic [15:0] REG_CAPABILITIES = 16'h0008;
+  localparam logic [15:0] REG_MEMORY_PAGES = 16'h000c;
+  localparam logic [15:0] REG_CONTROL = 16'h0010;
+  localparam logic [15:0] REG_STATUS = 16'h0014;
+  localparam logic [15:0] REG_INTERRUPT_STATUS = 16'h0018;
+  localparam logic [15:0] REG_INTERRUPT_MASK = 16'h001c;
+  localparam logic [15:0] REG_RING_LOW = 16'h0020;
+  localparam logic [15:0] REG_RING_HIGH = 16'h0024;
+  localparam logic [15:0] REG_RING_LOG2 = 16'h0028;
+  localparam logic [15:0] REG_HEAD = 16'h002c;
+  localparam logic [15:0] REG_TAIL = 16'h0030;
+  localparam logic [15:0] REG_COMPLETION_LOW = 16'h0034;
+  localparam logic [15:0] REG_COMPLETION_HIGH = 16'h0038;
+  localparam logic [15:0] REG_FAULT_CAUSE = 16'h0040;
+  localparam logic [15:0] REG_FAULT_OFFSET = 16'h0044;
+  localparam logic [15:0] REG_FAULT_SEQUENCE = 16'h0048;
+  localparam logic [15:0] REG_DMA_ERROR_LOW = 16'h004c;
+  localparam logic [15:0] REG_DMA_ERROR_HIGH = 16'h0050;
+  localparam logic [15:0] REG_PROGRESS = 16'h0054;
+  localparam logic [15:0] REG_JOBS = 16'h0060;
+  localparam logic [15:0] REG_CLOCKS_LOW = 16'h0064;
+  localparam logic [15:0] REG_CLOCKS_HIGH = 16'h0068;
+  localparam logic [15:0] REG_STALL_STREAM = 16'h006c;
+  localparam logic [15:0] REG_STALL_RASTER = 16'h0070;
+  localparam logic [15:0] REG_STALL_TILE = 16'h0074;
+  localparam logic [15:0] REG_STALL_MEMORY = 16'h0078;
+  localparam logic [15:0] REG_STALL_RESPONSE = 16'h007c;
 
   // Packed structs: the lowest word of a group or payload is bits 31:0.
   // A _RESERVED mask has the bits that must be zero.
@@ -382,4 +420,105 @@
     logic [3:0] cause;
   } status_t;
   localparam logic [95:0] STATUS_RESERVED = 96'h0000000000000000fffffff0;
+
+  typedef struct packed {
+    logic [31:0] reserved_0;  // word 15
+    logic [31:0] reserved_1;  // word 14
+    logic [31:0] reserved_2;  // word 13
+    logic [31:0] reserved_3;  // word 12
+    logic [31:0] reserved_4;  // word 11
+    logic [31:0] reserved_5;  // word 10
+    logic [31:0] slot_table_high;  // word 9
+    logic [31:0] slot_table_low;  // word 8
+    logic [31:0] response_list_high;  // word 7
+    logic [31:0] response_list_low;  // word 6
+    logic [31:0] reserved_6;  // word 5
+    logic [31:0] response_words;  // word 4
+    logic [31:0] stream_list_high;  // word 3
+    logic [31:0] stream_list_low;  // word 2
+    logic [31:0] stream_words;  // word 1
+    logic [31:0] sequence_;  // word 0
+  } job_descriptor_t;
+  localparam logic [511:0] JOB_DESCRIPTOR_RESERVED = 512'hffffffffffffffffffffffffffffffffffffffffffffffff00000000000000000000000000000000ffffffff0000000000000000000000000000000000000000;
+
+  typedef struct packed {
+    logic [31:0] reserved_0;  // word 3
+    logic [29:0] reserved_1;  // word 2
+    logic [1:0] rights;
+    logic [31:0] size;  // word 1
+    logic [31:0] base;  // word 0
+  } slot_entry_t;
+  localparam logic [127:0] SLOT_ENTRY_RESERVED = 128'hfffffffffffffffc0000000000000000;
+
+  typedef struct packed {
+    logic [31:0] response_words;  // word 3
+    logic [31:0] offset;  // word 2
+    logic [27:0] reserved_0;  // word 1
+    logic [3:0] cause;
+    logic [31:0] sequence_;  // word 0
+  } completion_t;
+  localparam logic [127:0] COMPLETION_RESERVED = 128'h0000000000000000fffffff000000000;
+
+  typedef struct packed {
+    logic [7:0] reserved_0;
+    logic [7:0] ring_max_log2;
+    logic [7:0] pixels_per_clock;
+    logic [7:0] tile_size;
+  } reg_capabilities_t;
+  localparam logic [31:0] REG_CAPABILITIES_RESERVED = 32'hff000000;
+
+  typedef struct packed {
+    logic [29:0] reserved_0;
+    logic reset;
+    logic enable;
+  } reg_control_t;
+  localparam logic [31:0] REG_CONTROL_RESERVED = 32'hfffffffc;
+
+  typedef struct packed {
+    logic [28:0] reserved_0;
+    logic dma_error;
+    logic idle;
+    logic running;
+  } reg_status_t;
+  localparam logic [31:0] REG_STATUS_RESERVED = 32'hfffffff8;
+
+  typedef struct packed {
+    logic [28:0] reserved_0;
+    logic dma;
+    logic fault;
+    logic done;
+  } reg_interrupt_status_t;
+  localparam logic [31:0] REG_INTERRUPT_STATUS_RESERVED = 32'hfffffff8;
+
+  typedef struct packed {
+    logic [28:0] reserved_0;
+    logic dma;
+    logic fault;
+    logic done;
+  } reg_interrupt_mask_t;
+  localparam logic [31:0] REG_INTERRUPT_MASK_RESERVED = 32'hfffffff8;
+
+  typedef struct packed {
+    logic [27:0] reserved_0;
+    logic [3:0] log2;
+  } reg_ring_log2_t;
+  localparam logic [31:0] REG_RING_LOG2_RESERVED = 32'hfffffff0;
+
+  typedef struct packed {
+    logic [15:0] reserved_0;
+    logic [15:0] jobs;
+  } reg_head_t;
+  localparam logic [31:0] REG_HEAD_RESERVED = 32'hffff0000;
+
+  typedef struct packed {
+    logic [15:0] reserved_0;
+    logic [15:0] jobs;
+  } reg_tail_t;
+  localparam logic [31:0] REG_TAIL_RESERVED = 32'hffff0000;
+
+  typedef struct packed {
+    logic [27:0] reserved_0;
+    logic [3:0] cause;
+  } reg_fault_cause_t;
+  localparam logic [31:0] REG_FAULT_CAUSE_RESERVED = 32'hfffffff0;
 

@@ -14,10 +14,11 @@ static const struct table_value table_values_fault[] = {
 	{ 5, "slot" },
 	{ 6, "response" },
 	{ 7, "memory" },
+	{ 8, "dma" },
 };
 
 static const struct table_enum table_enum_fault = {
-	"fault", 8, table_values_fault
+	"fault", 9, table_values_fault
 };
 
 static const struct table_value table_values_compare[] = {

@@ -12,9 +12,11 @@
 #include "output.h"
 
 static const char usage[] =
-	"usage: hwgen [--c FILE] [--sv FILE] [--table FILE] [--manual FILE] INTERFACE.xml\n"
+	"usage: hwgen [--c FILE] [--regs FILE] [--sv FILE] [--table FILE] [--manual FILE]\n"
+	"             INTERFACE.xml\n"
 	"Checks an interface and writes what is asked for:\n"
 	"  --c FILE       C packers and unpackers\n"
+	"  --regs FILE    C offsets and masks of the registers, for the kernel too\n"
 	"  --sv FILE      SystemVerilog constants and packed structs\n"
 	"  --table FILE   the table of gloss-decode\n"
 	"  --manual FILE  the manual, in Markdown\n";
@@ -108,16 +110,17 @@ static void write_file(const char *path, void (*write)(FILE *out, const struct h
 int main(int argc, char **argv)
 {
 	static void (*const writers[])(FILE *, const struct hw_interface *) = {
-		hw_write_c, hw_write_sv, hw_write_table, hw_write_manual
+		hw_write_c, hw_write_regs, hw_write_sv, hw_write_table, hw_write_manual
 	};
 	static const struct option options[] = {
 		{ "c", required_argument, NULL, 0 },
-		{ "sv", required_argument, NULL, 1 },
-		{ "table", required_argument, NULL, 2 },
-		{ "manual", required_argument, NULL, 3 },
+		{ "regs", required_argument, NULL, 1 },
+		{ "sv", required_argument, NULL, 2 },
+		{ "table", required_argument, NULL, 3 },
+		{ "manual", required_argument, NULL, 4 },
 		{ NULL, 0, NULL, 0 }
 	};
-	const char *paths[4] = { NULL };
+	const char *paths[sizeof(writers) / sizeof(writers[0])] = { NULL };
 	struct hw_interface hw = { NULL };
 	int option;
 
@@ -135,7 +138,7 @@ int main(int argc, char **argv)
 	hw_read(argv[optind], &hw);
 	hw_check(&hw);
 	hw_check_names(&hw);
-	for (int i = 0; i < 4; i++) {
+	for (size_t i = 0; i < sizeof(writers) / sizeof(writers[0]); i++) {
 		if (paths[i])
 			write_file(paths[i], writers[i], &hw);
 	}

@@ -7,10 +7,11 @@
  *   hwgen_names.c   every identifier that will be written: keywords, clashes
  *   hwgen_words.c   the keywords
  *   hwgen_c.c       C packers and unpackers
+ *   hwgen_regs.c    C offsets and masks of the port, for the kernel too
  *   hwgen_sv.c      SystemVerilog constants and packed structs
  *   hwgen_table.c   the decoder's table
  *   hwgen_doc.c     the manual
- *   hwgen_text.c    wrapping of doc text, for all four
+ *   hwgen_text.c    wrapping of doc text, for all of them
  *   hwgen.c         arguments and files
  *
  * The first thing wrong ends the program: hw_fail names file and line.
@@ -30,7 +31,8 @@
 #define HW_LENGTH_MAX	2047u
 
 enum hw_type { HW_UINT, HW_INT, HW_BOOL, HW_ENUM };
-enum hw_kind { HW_GROUP, HW_PACKET, HW_STRUCT };
+enum hw_kind { HW_GROUP, HW_PACKET, HW_STRUCT, HW_REGISTER };
+enum hw_access { HW_RO, HW_RW, HW_RW1C };
 
 /* Lists are in the order of the XML; doc is NULL where there is none. */
 struct hw_constant {
@@ -38,6 +40,8 @@ struct hw_constant {
 	const char *name, *doc;
 	unsigned long line;
 	uint32_t value;
+	bool hex;				/* as it is written in the XML */
+	bool port;
 };
 
 struct hw_value {
@@ -80,15 +84,18 @@ struct hw_part {
 	uint32_t value;
 };
 
-/* A packet's word 0 is its header, its payload the words from 1 on. */
+/* A packet's word 0 is its header, its payload the words from 1 on. A register is one word. */
 struct hw_record {
 	struct hw_record *next;
 	enum hw_kind kind;
 	const char *name, *doc;
 	unsigned long line;
 	bool has_words, variable;
+	bool port;				/* inside <port> */
 	unsigned int words;			/* without a packet's header */
 	unsigned int opcode;
+	unsigned int offset;			/* of a register, in bytes */
+	enum hw_access access;
 	unsigned int least;			/* fewest payload words, without parts */
 	struct hw_field *fields;
 	struct hw_part *parts;
@@ -99,6 +106,8 @@ struct hw_interface {
 	const char *name, *doc;
 	unsigned long line;
 	uint32_t version;
+	bool has_port;
+	const char *port_doc;
 	struct hw_constant *constants;
 	struct hw_enum *enums;
 	struct hw_record *records;
@@ -117,6 +126,7 @@ void hw_check(struct hw_interface *hw);
 void hw_check_names(const struct hw_interface *hw);
 
 void hw_write_c(FILE *out, const struct hw_interface *hw);
+void hw_write_regs(FILE *out, const struct hw_interface *hw);
 void hw_write_sv(FILE *out, const struct hw_interface *hw);
 void hw_write_table(FILE *out, const struct hw_interface *hw);
 void hw_write_manual(FILE *out, const struct hw_interface *hw);
@@ -145,6 +155,8 @@ static inline uint32_t hw_mask(unsigned int width)
 {
 	return width < 32 ? (1u << width) - 1 : 0xffffffffu;
 }
+/* "ro", "rw" or "rw1c". */
+const char *hw_access_name(enum hw_access access);
 /* Are an enum's values 0 to n-1? Then *@last is n-1, or the largest value. */
 bool hw_enum_dense(const struct hw_enum *enumeration, uint32_t *last);
 
@@ -156,6 +168,9 @@ static inline bool hw_same(const char *a, const char *b)
 {
 	return strcmp(a, b) == 0;
 }
+
+/* A constant's value as the XML has it, hex or decimal, with @prefix in front of the digits of hex. */
+void hw_number(FILE *out, const struct hw_constant *constant, const char *hex_prefix);
 
 /* upper: COLOUR_MASK; camel: ColourMask. @out has HW_NAME_MAX bytes. */
 char *hw_upper(char *out, const char *name);
@@ -171,6 +186,8 @@ enum hw_markup { HW_PLAIN, HW_MARKDOWN };
  */
 void hw_wrap(FILE *out, const char *text, const char *first, const char *prefix,
 	     unsigned int columns, enum hw_markup markup);
+/* The text as a C comment behind @indent, which is empty or a tab. */
+void hw_comment(FILE *out, const char *indent, const char *text);
 /* The text in one line, for tables; with @sentence only its first sentence. */
 void hw_line(FILE *out, const char *text, enum hw_markup markup, bool sentence);
 

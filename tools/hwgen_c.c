@@ -16,38 +16,16 @@ struct writer {
 	char upper[HW_NAME_MAX];	/* of the record being written */
 };
 
-static void comment(const struct writer *w, const char *indent, const char *text)
-{
-	char prefix[16];
-	char *line = NULL;
-	size_t size = 0;
-	FILE *memory = open_memstream(&line, &size);
-	unsigned int tabs = indent[0] ? 8 : 0;
-
-	if (!memory)
-		hw_fail(w->hw->path, 0, "out of memory");
-	hw_line(memory, text, HW_PLAIN, false);
-	fclose(memory);
-	if (tabs + size + 6 <= COLUMNS && !strstr(text, "\n\n")) {
-		fprintf(w->out, "%s/* %s */\n", indent, line);
-	} else {
-		snprintf(prefix, sizeof(prefix), "%s * ", indent);
-		fprintf(w->out, "%s/*\n", indent);
-		hw_wrap(w->out, text, prefix, prefix, COLUMNS - (tabs ? 7 : 0), HW_PLAIN);
-		fprintf(w->out, "%s */\n", indent);
-	}
-	free(line);
-}
-
 static void write_constants(const struct writer *w)
 {
 	char upper[HW_NAME_MAX];
 
 	for (const struct hw_constant *c = w->hw->constants; c; c = c->next) {
 		if (c->doc)
-			comment(w, "", c->doc);
-		fprintf(w->out, "#define %s_%s %uu\n", w->upper_name, hw_upper(upper, c->name),
-			c->value);
+			hw_comment(w->out, "", c->doc);
+		fprintf(w->out, "#define %s_%s ", w->upper_name, hw_upper(upper, c->name));
+		hw_number(w->out, c, "0x");
+		fputs("u\n", w->out);
 	}
 	fputc('\n', w->out);
 }
@@ -73,12 +51,12 @@ static void write_enums(const struct writer *w)
 
 	for (const struct hw_enum *e = w->hw->enums; e; e = e->next) {
 		if (e->doc)
-			comment(w, "", e->doc);
+			hw_comment(w->out, "", e->doc);
 		fprintf(w->out, "enum %s_%s {\n", w->name, e->name);
 		hw_upper(upper, e->name);
 		for (const struct hw_value *v = e->values; v; v = v->next) {
 			if (v->doc)
-				comment(w, "\t", v->doc);
+				hw_comment(w->out, "\t", v->doc);
 			fprintf(w->out, "\t%s_%s_%s = %u,\n", w->upper_name, upper,
 				hw_upper(value_upper, v->name), v->value);
 		}
@@ -113,13 +91,13 @@ static void write_opcodes(const struct writer *w)
 static void write_struct(const struct writer *w, const struct hw_record *r)
 {
 	if (r->doc)
-		comment(w, "", r->doc);
+		hw_comment(w->out, "", r->doc);
 	fprintf(w->out, "struct %s_%s {\n", w->name, r->name);
 	for (const struct hw_field *f = r->fields; f; f = f->next) {
 		static const char *const types[] = { "uint32_t", "int32_t", "bool" };
 
 		if (f->doc)
-			comment(w, "\t", f->doc);
+			hw_comment(w->out, "\t", f->doc);
 		if (f->type == HW_ENUM)
 			fprintf(w->out, "\tenum %s_%s %s;\n", w->name, f->enumeration->name,
 				f->name);
@@ -392,7 +370,7 @@ static void write_records(struct writer *w, enum hw_kind kind)
 		if (r->fields) {
 			write_struct(w, r);
 		} else if (r->doc) {
-			comment(w, "", r->doc);
+			hw_comment(w->out, "", r->doc);
 			fputc('\n', w->out);
 		}
 		if (r->parts)

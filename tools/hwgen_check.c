@@ -28,6 +28,13 @@ uint32_t hw_reserved(const struct hw_record *record, unsigned int word)
 	return mask;
 }
 
+const char *hw_access_name(enum hw_access access)
+{
+	static const char *const names[] = { "ro", "rw", "rw1c" };
+
+	return names[access];
+}
+
 bool hw_enum_dense(const struct hw_enum *enumeration, uint32_t *last)
 {
 	uint32_t count = 0;
@@ -269,9 +276,19 @@ static void check_packet(const struct hw_interface *hw, const struct hw_record *
 			packet->name, words, HW_LENGTH_MAX);
 }
 
+static void check_register(const struct hw_interface *hw, const struct hw_record *record)
+{
+	for (const struct hw_record *other = hw->records; other != record; other = other->next) {
+		if (other->kind == HW_REGISTER && other->offset == record->offset)
+			hw_fail(hw->path, record->line,
+				"offset 0x%03x is that of '%s' in line %lu", record->offset,
+				other->name, other->line);
+	}
+}
+
 static void check_record(const struct hw_interface *hw, struct hw_record *record)
 {
-	if (record->kind != HW_PACKET && !record->fields)
+	if (record->kind != HW_PACKET && record->kind != HW_REGISTER && !record->fields)
 		hw_fail(hw->path, record->line, "'%s' has no fields", record->name);
 	for (struct hw_field *field = record->fields; field; field = field->next) {
 		resolve_type(hw, field);
@@ -300,5 +317,7 @@ void hw_check(struct hw_interface *hw)
 	for (const struct hw_record *record = hw->records; record; record = record->next) {
 		if (record->kind == HW_PACKET)
 			check_packet(hw, record);
+		if (record->kind == HW_REGISTER)
+			check_register(hw, record);
 	}
 }

@@ -186,12 +186,54 @@ static void write_record(FILE *out, const struct hw_record *r)
 	write_parts(out, r);
 }
 
-static void write_records(FILE *out, const struct hw_interface *hw, enum hw_kind kind)
+static void write_register(FILE *out, const struct hw_record *r)
+{
+	char upper[HW_NAME_MAX];
+
+	fprintf(out, "### Register %s\n\nOffset 0x%03x, %s.\n\n", hw_upper(upper, r->name),
+		r->offset, hw_access_name(r->access));
+	write_text(out, r->doc);
+	write_fields(out, r);
+}
+
+static void write_records(FILE *out, const struct hw_interface *hw, enum hw_kind kind, bool port)
 {
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		if (r->kind == kind)
+		if (r->kind == kind && r->port == port)
 			write_record(out, r);
 	}
+}
+
+static void write_port(FILE *out, const struct hw_interface *hw)
+{
+	char upper[HW_NAME_MAX];
+
+	if (!hw->has_port)
+		return;
+	fputs("## Port\n\n", out);
+	write_text(out, hw->port_doc);
+	fputs("### Registers by offset\n\n"
+	      "| offset | register | access | |\n|---|---|---|---|\n", out);
+	for (unsigned int offset = 0; offset <= UINT16_MAX; offset += 4) {
+		for (const struct hw_record *r = hw->records; r; r = r->next) {
+			if (r->kind != HW_REGISTER || r->offset != offset)
+				continue;
+			hw_upper(upper, r->name);
+			fprintf(out, "| 0x%03x | ", offset);
+			fprintf(out, r->fields ? "[%s](#register-%s)" : "%s", upper, r->name);
+			fprintf(out, " | %s", hw_access_name(r->access));
+			write_cell(out, r->doc);
+			fputs(" |\n", out);
+		}
+	}
+	fputs("\nrw1c: reads the bits, writing a 1 clears a bit.\n\n", out);
+	for (const struct hw_record *r = hw->records; r; r = r->next) {
+		if (r->kind == HW_REGISTER && r->fields)
+			write_register(out, r);
+	}
+	fputs("## Structs in host memory\n\nWhat the port reads and writes there; word 0 is the first.\n\n",
+	      out);
+	write_records(out, hw, HW_STRUCT, true);
 }
 
 static void write_enums(FILE *out, const struct hw_interface *hw)
@@ -215,7 +257,8 @@ static void write_constants(FILE *out, const struct hw_interface *hw)
 {
 	fputs("| name | value | |\n|---|---:|---|\n", out);
 	for (const struct hw_constant *c = hw->constants; c; c = c->next) {
-		fprintf(out, "| %s | %u", c->name, c->value);
+		fprintf(out, "| %s | ", c->name);
+		hw_number(out, c, "0x");
 		write_cell(out, c->doc);
 		fputs(" |\n", out);
 	}
@@ -238,13 +281,14 @@ void hw_write_manual(FILE *out, const struct hw_interface *hw)
 	      "| 10:0 | length: payload words |\n\n", out);
 	write_index(out, hw);
 	fputs("## Packets\n\nWord 0 is the header, the payload begins at word 1.\n\n", out);
-	write_records(out, hw, HW_PACKET);
+	write_records(out, hw, HW_PACKET, false);
 	fputs("## Groups\n\nParts of payloads; word 0 is the part's first.\n\n", out);
-	write_records(out, hw, HW_GROUP);
+	write_records(out, hw, HW_GROUP, false);
 	fputs("## Enums\n\n", out);
 	write_enums(out, hw);
 	fputs("## Structs\n\nOutside the stream; word 0 is the first.\n\n", out);
-	write_records(out, hw, HW_STRUCT);
+	write_records(out, hw, HW_STRUCT, false);
+	write_port(out, hw);
 	fputs("## Constants\n\n", out);
 	write_constants(out, hw);
 }

@@ -90,10 +90,27 @@ static void claim_fields(const struct hw_interface *hw, const struct hw_record *
 	}
 	for (const struct hw_field *field = record->fields; field; field = field->next) {
 		claim(&c, field->line, "%s", field->name);
-		claim(&sv, field->line, "%s", field->name);
+		claim(&sv, field->line, "%s%s", field->name, hw_keyword_sv(field->name) ? "_" : "");
 		if (!strncmp(field->name, "reserved_", 9))
 			hw_fail(hw->path, field->line, "'%s': hwgen names reserved bits so",
 				field->name);
+	}
+}
+
+/* What the registers' header has beyond the packers': masks, and places in structs. */
+static void claim_port_record(struct scope *macros, const struct hw_record *record)
+{
+	const char *prefix = record->kind == HW_REGISTER ? "REG_" : "";
+	char upper[HW_NAME_MAX], field_upper[HW_NAME_MAX];
+
+	hw_upper(upper, record->name);
+	if (record->kind == HW_REGISTER)
+		claim(macros, record->line, "REG_%s", upper);
+	for (const struct hw_field *field = record->fields; field; field = field->next) {
+		hw_upper(field_upper, field->name);
+		claim(macros, field->line, "%s%s_%s", prefix, upper, field_upper);
+		if (record->kind == HW_STRUCT)
+			claim(macros, field->line, "%s_%s_WORD", upper, field_upper);
 	}
 }
 
@@ -113,12 +130,17 @@ static void claim_c(const struct hw_interface *hw)
 		claim(&macros, c->line, "%s", hw_upper(upper, c->name));
 	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
 		claim(&tags, e->line, "%s", e->name);
+		claim(&functions, e->line, "%s_name", e->name);
 		hw_upper(upper, e->name);
 		for (const struct hw_value *value = e->values; value; value = value->next)
 			claim(&macros, value->line, "%s_%s", upper,
 			      hw_upper(value_upper, value->name));
 	}
 	for (const struct hw_record *record = hw->records; record; record = record->next) {
+		if (record->port)
+			claim_port_record(&macros, record);
+		if (record->kind == HW_REGISTER)
+			continue;
 		hw_upper(upper, record->name);
 		claim(&tags, record->line, "%s", record->name);
 		claim(&macros, record->line, "%s_WORDS", upper);
@@ -146,6 +168,12 @@ static void claim_sv(const struct hw_interface *hw)
 	}
 	for (const struct hw_record *record = hw->records; record; record = record->next) {
 		hw_upper(upper, record->name);
+		if (record->kind == HW_REGISTER) {
+			claim(&package, record->line, "REG_%s", upper);
+			claim(&package, record->line, "REG_%s_RESERVED", upper);
+			claim(&package, record->line, "reg_%s_t", record->name);
+			continue;
+		}
 		claim(&package, record->line, "%s_t", record->name);
 		claim(&package, record->line, "%s_WORDS", upper);
 		claim(&package, record->line, "%s_RESERVED", upper);

@@ -101,6 +101,22 @@ static const char *copy(const char *text)
 	return text ? hw_copy(text, strlen(text)) : NULL;
 }
 
+static const char **begin_port(struct reader *reader, const struct element *element)
+{
+	struct hw_interface *hw = reader->hw;
+
+	(void)element;
+	if (hw->has_port)
+		FAIL(reader, "a second <port>");
+	hw->has_port = true;
+	return &hw->port_doc;
+}
+
+static bool in_port(const struct reader *reader)
+{
+	return hw_same(reader->open[reader->depth - 1].element->name, "port");
+}
+
 static const char **begin_constant(struct reader *reader, const struct element *element)
 {
 	struct hw_constant *constant = hw_alloc(sizeof(*constant));
@@ -110,6 +126,8 @@ static const char **begin_constant(struct reader *reader, const struct element *
 	constant->name = copy(reader->attribute[0]);
 	constant->value = (uint32_t)read_number(reader, "value", reader->attribute[1], 0,
 						UINT32_MAX);
+	constant->hex = reader->attribute[1][1] == 'x' || reader->attribute[1][1] == 'X';
+	constant->port = in_port(reader);
 	APPEND(reader->hw->constants, constant);
 	return &constant->doc;
 }
@@ -146,6 +164,7 @@ static struct hw_record *add_record(struct reader *reader, enum hw_kind kind, co
 	record->kind = kind;
 	record->line = line_of(reader);
 	record->name = copy(reader->attribute[0]);
+	record->port = in_port(reader);
 	record->has_words = words;
 	if (words)
 		record->words = (unsigned int)read_number(reader, "words", words,
@@ -162,6 +181,24 @@ static const char **begin_words(struct reader *reader, const struct element *ele
 	enum hw_kind kind = !hw_same(element->name, "group") ? HW_STRUCT : HW_GROUP;
 
 	return &add_record(reader, kind, reader->attribute[1])->doc;
+}
+
+static const char **begin_register(struct reader *reader, const struct element *element)
+{
+	struct hw_record *record = add_record(reader, HW_REGISTER, "1");
+	unsigned int access = HW_RO;
+
+	(void)element;
+	record->offset = (unsigned int)read_number(reader, "offset", reader->attribute[1], 0,
+						   UINT16_MAX);
+	if (record->offset % 4)
+		FAIL(reader, "offset 0x%x is not a multiple of 4", record->offset);
+	while (access <= HW_RW1C && !hw_same(reader->attribute[2], hw_access_name((enum hw_access)access)))
+		access++;
+	if (access > HW_RW1C)
+		FAIL(reader, "access is '%s', not 'ro', 'rw' or 'rw1c'", reader->attribute[2]);
+	record->access = (enum hw_access)access;
+	return &record->doc;
 }
 
 static const char **begin_packet(struct reader *reader, const struct element *element)
@@ -239,18 +276,20 @@ static const char **begin_doc(struct reader *reader, const struct element *eleme
 
 static const struct element elements[] = {
 	{ "interface", "", { "name", "version" }, begin_interface },
-	{ "constant", " interface ", { "name", "value" }, begin_constant },
+	{ "port", " interface ", { NULL }, begin_port },
+	{ "register", " port ", { "name", "offset", "access" }, begin_register },
+	{ "constant", " interface port ", { "name", "value" }, begin_constant },
 	{ "enum", " interface ", { "name", "bits" }, begin_enum },
 	{ "value", " enum ", { "name", "value" }, begin_value },
 	{ "group", " interface ", { "name", "words" }, begin_words },
 	{ "packet", " interface ", { "name", "opcode", "?words", "?variable", "?least" },
 	  begin_packet },
-	{ "struct", " interface ", { "name", "words" }, begin_words },
-	{ "field", " group packet struct ",
+	{ "struct", " interface port ", { "name", "words" }, begin_words },
+	{ "field", " group packet struct register ",
 	  { "name", "word", "bits", "?type", "?min", "?max", "?format", "?above" }, begin_field },
 	{ "part", " packet ", { "group", "?if", "?is" }, begin_part },
-	{ "doc", " interface constant enum value group packet struct field ", { NULL },
-	  begin_doc },
+	{ "doc", " interface port constant enum value group packet struct register field ",
+	  { NULL }, begin_doc },
 };
 
 static const struct element *find_element(const struct reader *reader, const char *name)

@@ -9,8 +9,9 @@ static void write_constants(FILE *out, const struct hw_interface *hw)
 	for (const struct hw_constant *c = hw->constants; c; c = c->next) {
 		if (c->doc)
 			hw_wrap(out, c->doc, "  // ", "  // ", 100, HW_PLAIN);
-		fprintf(out, "  localparam int unsigned %s = %u;\n", hw_camel(camel, c->name),
-			c->value);
+		fprintf(out, "  localparam int unsigned %s = ", hw_camel(camel, c->name));
+		hw_number(out, c, "32'h");
+		fputs(";\n", out);
 	}
 	fputc('\n', out);
 }
@@ -41,9 +42,24 @@ static void write_opcodes(FILE *out, const struct hw_interface *hw)
 	}
 	fputs("\n  // Payload words of packets whose length is fixed, and of groups.\n", out);
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		if (r->kind != HW_STRUCT && !r->variable)
+		if ((r->kind == HW_GROUP || r->kind == HW_PACKET) && !r->variable)
 			fprintf(out, "  localparam logic [10:0] %s_WORDS = 11'd%u;\n",
 				hw_upper(upper, r->name), r->words);
+	}
+	fputc('\n', out);
+}
+
+static void write_offsets(FILE *out, const struct hw_interface *hw)
+{
+	char upper[HW_NAME_MAX];
+
+	if (!hw->has_port)
+		return;
+	fputs("  // Byte offsets of registers.\n", out);
+	for (const struct hw_record *r = hw->records; r; r = r->next) {
+		if (r->kind == HW_REGISTER)
+			fprintf(out, "  localparam logic [15:0] REG_%s = 16'h%04x;\n",
+				hw_upper(upper, r->name), r->offset);
 	}
 	fputc('\n', out);
 }
@@ -53,7 +69,8 @@ static void write_member(FILE *out, bool is_signed, unsigned int width, const ch
 	fprintf(out, "    logic %s", is_signed ? "signed " : "");
 	if (width > 1)
 		fprintf(out, "[%u:0] ", width - 1);
-	fputs(name, out);
+	/* No name ends in an underscore, so this one is free. */
+	fprintf(out, "%s%s", name, hw_keyword_sv(name) ? "_" : "");
 }
 
 /* Members from the top bit down; *@reserved counts the unnamed ones of the struct. */
@@ -94,15 +111,16 @@ static void write_word(FILE *out, const struct hw_record *r, unsigned int word,
 static void write_struct(FILE *out, const struct hw_record *r, unsigned int first,
 			 unsigned int words, const char *suffix, const char *upper_suffix)
 {
+	bool is_register = r->kind == HW_REGISTER;
 	unsigned int reserved = 0;
 	char upper[HW_NAME_MAX];
 
 	fputs("  typedef struct packed {\n", out);
 	for (unsigned int word = first + words; word-- > first;)
 		write_word(out, r, word, &reserved);
-	fprintf(out, "  } %s%s_t;\n", r->name, suffix);
-	fprintf(out, "  localparam logic [%u:0] %s%s_RESERVED = %u'h", 32 * words - 1,
-		hw_upper(upper, r->name), upper_suffix, 32 * words);
+	fprintf(out, "  } %s%s%s_t;\n", is_register ? "reg_" : "", r->name, suffix);
+	fprintf(out, "  localparam logic [%u:0] %s%s%s_RESERVED = %u'h", 32 * words - 1,
+		is_register ? "REG_" : "", hw_upper(upper, r->name), upper_suffix, 32 * words);
 	for (unsigned int word = first + words; word-- > first;)
 		fprintf(out, "%08x", hw_reserved(r, word));
 	fputs(";\n\n", out);
@@ -115,7 +133,7 @@ static void write_records(FILE *out, const struct hw_interface *hw, enum hw_kind
 			continue;
 		if (kind == HW_PACKET)
 			write_struct(out, r, 0, 1, "_header", "_HEADER");
-		if (r->words)
+		if (r->words && (r->fields || kind != HW_REGISTER))
 			write_struct(out, r, hw_first_word(r), r->words, "", "");
 	}
 }
@@ -129,9 +147,11 @@ void hw_write_sv(FILE *out, const struct hw_interface *hw)
 	write_constants(out, hw);
 	write_enums(out, hw);
 	write_opcodes(out, hw);
+	write_offsets(out, hw);
 	fputs("  // Packed structs: the lowest word of a group or payload is bits 31:0.\n"
 	      "  // A _RESERVED mask has the bits that must be zero.\n\n", out);
 	write_records(out, hw, HW_GROUP);
 	write_records(out, hw, HW_PACKET);
 	write_records(out, hw, HW_STRUCT);
+	write_records(out, hw, HW_REGISTER);
 }

@@ -18,7 +18,7 @@ static void write_enum(FILE *out, const struct hw_enum *e)
 static bool is_used(const struct hw_interface *hw, const struct hw_enum *e)
 {
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		for (const struct hw_field *f = r->fields; f; f = f->next) {
+		for (const struct hw_field *f = r->fields; f && !r->port; f = f->next) {
 			if (f->enumeration == e)
 				return true;
 		}

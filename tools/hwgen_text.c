@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /* Doc text into comments and Markdown. */
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "hwgen.h"
@@ -30,6 +31,14 @@ char *hw_camel(char *out, const char *name)
 	}
 	out[size] = '\0';
 	return out;
+}
+
+void hw_number(FILE *out, const struct hw_constant *constant, const char *hex_prefix)
+{
+	if (constant->hex)
+		fprintf(out, "%s%x", hex_prefix, constant->value);
+	else
+		fprintf(out, "%u", constant->value);
 }
 
 /* Markdown takes these for its own; a '<' only where a tag could begin. */
@@ -123,4 +132,29 @@ void hw_line(FILE *out, const char *text, enum hw_markup markup, bool sentence)
 		text += length;
 		space = " ";
 	}
+}
+
+#define COMMENT_COLUMNS 100u
+
+void hw_comment(FILE *out, const char *indent, const char *text)
+{
+	unsigned int tab = indent[0] ? 8 : 0;
+	char prefix[16], *line = NULL;
+	size_t size = 0;
+	FILE *memory = open_memstream(&line, &size);
+
+	if (!memory)
+		hw_fail("hwgen", 0, "out of memory");
+	hw_line(memory, text, HW_PLAIN, false);
+	if (fclose(memory))
+		hw_fail("hwgen", 0, "out of memory");
+	if (tab + size + 6 <= COMMENT_COLUMNS && !strstr(text, "\n\n")) {
+		fprintf(out, "%s/* %s */\n", indent, line);
+	} else {
+		snprintf(prefix, sizeof(prefix), "%s * ", indent);
+		fprintf(out, "%s/*\n", indent);
+		hw_wrap(out, text, prefix, prefix, COMMENT_COLUMNS - (tab ? tab - 1 : 0), HW_PLAIN);
+		fprintf(out, "%s */\n", indent);
+	}
+	free(line);
 }

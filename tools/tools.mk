@@ -26,18 +26,19 @@ ALL += $(BUILD)/gloss-decode
 
 .PHONY: generate check-generated
 generate: $(HWGEN) ## rewrite what is made from rtl/gloss.xml
-	$(Q)$(HWGEN) --c libaccel/gloss_packets.h --sv rtl/gloss_hw.svh \
-		--table tools/gloss_table.h --manual rtl/INTERFACE.md rtl/gloss.xml
+	$(Q)$(HWGEN) --c libaccel/gloss_packets.h --regs driver/gloss_regs.h \
+		--sv rtl/gloss_hw.svh --table tools/gloss_table.h --manual rtl/INTERFACE.md rtl/gloss.xml
 
 check-generated: $(HWGEN) ## fail if a generated file differs from rtl/gloss.xml
 	$(call quiet,CHECK,rtl/gloss.xml)
 	$(Q)xmllint --noout --dtdvalid rtl/gloss.dtd rtl/gloss.xml
 	$(Q)mkdir -p $(BUILD)/generated
-	$(Q)$(HWGEN) --c $(BUILD)/generated/gloss_packets.h --sv $(BUILD)/generated/gloss_hw.svh \
+	$(Q)$(HWGEN) --c $(BUILD)/generated/gloss_packets.h \
+		--regs $(BUILD)/generated/gloss_regs.h --sv $(BUILD)/generated/gloss_hw.svh \
 		--table $(BUILD)/generated/gloss_table.h \
 		--manual $(BUILD)/generated/INTERFACE.md rtl/gloss.xml
-	$(Q)for file in libaccel/gloss_packets.h rtl/gloss_hw.svh tools/gloss_table.h \
-			rtl/INTERFACE.md; do \
+	$(Q)for file in libaccel/gloss_packets.h driver/gloss_regs.h rtl/gloss_hw.svh \
+			tools/gloss_table.h rtl/INTERFACE.md; do \
 		diff -u "$$file" "$(BUILD)/generated/$${file##*/}" && continue; \
 		echo "$$file is not what rtl/gloss.xml says: run 'make generate' and commit it" >&2; \
 		exit 1; \
@@ -51,7 +52,8 @@ $(BUILD)/tests/unit/test_decode: tests/unit/test_decode.c $(DECODE_OBJECTS) \
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Itools -MMD -MP -MF $@.d $(filter-out %.h,$^) \
 		-lcmocka -o $@
 
-$(BUILD)/tests/hwgen/test_small: tests/hwgen/test_small.c tests/hwgen/small.h
+$(BUILD)/tests/hwgen/test_small: tests/hwgen/test_small.c tests/hwgen/small.h \
+		tests/hwgen/small_regs.h
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $< -lcmocka -o $@

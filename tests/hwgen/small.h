@@ -8,7 +8,9 @@
 
 /* As the interface says. */
 #define SMALL_VERSION 3u
-#define SMALL_ROW_BYTES 256u
+#define SMALL_ROW_BYTES 0x100u
+/* In both headers. */
+#define SMALL_MAGIC 0xcafeu
 
 /* All values have names. */
 enum small_colour {
@@ -236,16 +238,43 @@ static inline void small_draw_unpack(const uint32_t *words, struct small_draw *p
 
 struct small_state {
 	enum small_colour colour;
+	/* A keyword of SystemVerilog alone. */
+	uint32_t edge;
 };
 
 static inline void small_state_pack(uint32_t *words, const struct small_state *p)
 {
-	words[0] = (uint32_t)p->colour & 0x3u;
+	words[0] = ((uint32_t)p->colour & 0x3u) |
+		   (p->edge & 0x3u) << 8;
 }
 
 static inline void small_state_unpack(const uint32_t *words, struct small_state *p)
 {
 	p->colour = (enum small_colour)(words[0] & 0x3u);
+	p->edge = words[0] >> 8 & 0x3u;
+}
+
+/* ---- entry ---- */
+
+#define SMALL_ENTRY_WORDS 2
+
+/* In host memory. */
+struct small_entry {
+	uint32_t low;
+	/* Narrow. */
+	uint32_t high;
+};
+
+static inline void small_entry_pack(uint32_t *words, const struct small_entry *p)
+{
+	words[0] = p->low;
+	words[1] = p->high & 0xffu;
+}
+
+static inline void small_entry_unpack(const uint32_t *words, struct small_entry *p)
+{
+	p->low = words[0];
+	p->high = words[1] & 0xffu;
 }
 
 /* ---- any packet ---- */

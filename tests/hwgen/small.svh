@@ -3,7 +3,9 @@
 
   // As the interface says.
   localparam int unsigned Version = 3;
-  localparam int unsigned RowBytes = 256;
+  localparam int unsigned RowBytes = 32'h100;
+  // In both headers.
+  localparam int unsigned Magic = 32'hcafe;
 
   // All values have names.
   localparam logic [1:0] COLOUR_RED = 2'd0;
@@ -29,6 +31,11 @@
   localparam logic [10:0] PLACE_WORDS = 11'd3;
   localparam logic [10:0] EXTENT_WORDS = 11'd2;
   localparam logic [10:0] STOP_WORDS = 11'd0;
+
+  // Byte offsets of registers.
+  localparam logic [15:0] REG_STATE = 16'h0004;
+  localparam logic [15:0] REG_COUNT = 16'h0000;
+  localparam logic [15:0] REG_TOP = 16'hfffc;
 
   // Packed structs: the lowest word of a group or payload is bits 31:0.
   // A _RESERVED mask has the bits that must be zero.
@@ -89,8 +96,24 @@
   localparam logic [31:0] DRAW_HEADER_RESERVED = 32'h0000c000;
 
   typedef struct packed {
-    logic [29:0] reserved_0;
+    logic [21:0] reserved_0;
+    logic [1:0] edge_;
+    logic [5:0] reserved_1;
     logic [1:0] colour;
   } state_t;
-  localparam logic [31:0] STATE_RESERVED = 32'hfffffffc;
+  localparam logic [31:0] STATE_RESERVED = 32'hfffffcfc;
+
+  typedef struct packed {
+    logic [23:0] reserved_0;  // word 1
+    logic [7:0] high;
+    logic [31:0] low;  // word 0
+  } entry_t;
+  localparam logic [63:0] ENTRY_RESERVED = 64'hffffff0000000000;
+
+  typedef struct packed {
+    logic [3:0] power;
+    logic [25:0] reserved_0;
+    logic [1:0] colour;
+  } reg_state_t;
+  localparam logic [31:0] REG_STATE_RESERVED = 32'h0ffffffc;
 

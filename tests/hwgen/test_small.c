@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* What the C that hwgen writes does, on small.h, which has one of everything. */
+/* What the C that hwgen writes does, on small.h and small_regs.h, which have one of everything. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "small.h"
+#include "small_regs.h"
 
 static void hwgen_signed_fields_keep_their_sign(void **state)
 {
@@ -111,6 +112,24 @@ static void hwgen_header_valid_knows_bits_enums_and_ranges(void **state)
 	assert_false(small_header_valid(0xff004000));	/* reserved */
 }
 
+static void hwgen_masks_and_packers_agree(void **state)
+{
+	uint32_t words[SMALL_ENTRY_WORDS];
+
+	(void)state;
+	small_entry_pack(words, &(struct small_entry){ .low = 1, .high = ~0u });
+	assert_int_equal(words[SMALL_ENTRY_LOW_WORD], 1);
+	assert_int_equal(words[SMALL_ENTRY_HIGH_WORD], SMALL_ENTRY_HIGH);
+}
+
+static void hwgen_names_are_those_of_the_values(void **state)
+{
+	(void)state;
+	assert_string_equal(small_power_name(SMALL_POWER_EIGHT), "eight");
+	assert_string_equal(small_power_name(3), "unknown");
+	assert_string_equal(small_colour_name(SMALL_COLOUR_RED), "red");
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -121,6 +140,8 @@ int main(void)
 		cmocka_unit_test(hwgen_headers_have_opcode_length_and_fields),
 		cmocka_unit_test(hwgen_length_is_the_sum_of_the_parts),
 		cmocka_unit_test(hwgen_header_valid_knows_bits_enums_and_ranges),
+		cmocka_unit_test(hwgen_masks_and_packers_agree),
+		cmocka_unit_test(hwgen_names_are_those_of_the_values),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT */
+/* Generated from rtl/gloss.xml by tools/hwgen; do not edit. */
+#ifndef GLOSS_REGS_H
+#define GLOSS_REGS_H
+
+/* Version of this interface; a board reports it. */
+#define GLOSS_VERSION 1u
+/* "GLOS" in memory; what IDENTITY reads. */
+#define GLOSS_IDENTITY 0x534f4c47u
+/* Entries of the slot table. */
+#define GLOSS_SLOTS 16u
+/* Pages of host memory that lists name, and of board memory. */
+#define GLOSS_PAGE_BYTES 4096u
+/* Logarithm to base 2 of the most entries of a job ring. */
+#define GLOSS_RING_MAX_LOG2 8u
+
+/* Registers: byte offsets, masks of fields. */
+
+/* The constant identity. */
+#define GLOSS_REG_IDENTITY 0x000
+/* The constant version. */
+#define GLOSS_REG_VERSION 0x004
+/* What the board was built with. */
+#define GLOSS_REG_CAPABILITIES 0x008
+#define GLOSS_REG_CAPABILITIES_TILE_SIZE 0x000000ffu
+#define GLOSS_REG_CAPABILITIES_PIXELS_PER_CLOCK 0x0000ff00u
+#define GLOSS_REG_CAPABILITIES_RING_MAX_LOG2 0x00ff0000u
+/* Board memory, in pages of page_bytes bytes. */
+#define GLOSS_REG_MEMORY_PAGES 0x00c
+/* Starts and resets the board. */
+#define GLOSS_REG_CONTROL 0x010
+#define GLOSS_REG_CONTROL_ENABLE 0x00000001u
+#define GLOSS_REG_CONTROL_RESET 0x00000002u
+/* What the board is doing. */
+#define GLOSS_REG_STATUS 0x014
+#define GLOSS_REG_STATUS_RUNNING 0x00000001u
+#define GLOSS_REG_STATUS_IDLE 0x00000002u
+#define GLOSS_REG_STATUS_DMA_ERROR 0x00000004u
+/* Events that have happened. */
+#define GLOSS_REG_INTERRUPT_STATUS 0x018
+#define GLOSS_REG_INTERRUPT_STATUS_DONE 0x00000001u
+#define GLOSS_REG_INTERRUPT_STATUS_FAULT 0x00000002u
+#define GLOSS_REG_INTERRUPT_STATUS_DMA 0x00000004u
+/* Events that interrupt. */
+#define GLOSS_REG_INTERRUPT_MASK 0x01c
+#define GLOSS_REG_INTERRUPT_MASK_DONE 0x00000001u
+#define GLOSS_REG_INTERRUPT_MASK_FAULT 0x00000002u
+#define GLOSS_REG_INTERRUPT_MASK_DMA 0x00000004u
+/* Address of the job ring, a multiple of 64: its lower half. */
+#define GLOSS_REG_RING_LOW 0x020
+/* Address of the job ring: its upper half. */
+#define GLOSS_REG_RING_HIGH 0x024
+/* Size of the ring and of the array of completions. */
+#define GLOSS_REG_RING_LOG2 0x028
+#define GLOSS_REG_RING_LOG2_LOG2 0x0000000fu
+/* Where the board is in the ring. */
+#define GLOSS_REG_HEAD 0x02c
+#define GLOSS_REG_HEAD_JOBS 0x0000ffffu
+/* Where the driver is in the ring; writing it starts the board. */
+#define GLOSS_REG_TAIL 0x030
+#define GLOSS_REG_TAIL_JOBS 0x0000ffffu
+/* Address of the array of completions, a multiple of 16: its lower half. */
+#define GLOSS_REG_COMPLETION_LOW 0x034
+/* Address of the array of completions: its upper half. */
+#define GLOSS_REG_COMPLETION_HIGH 0x038
+/* The last fault of a job, or the DMA error, since the reset. */
+#define GLOSS_REG_FAULT_CAUSE 0x040
+#define GLOSS_REG_FAULT_CAUSE_CAUSE 0x0000000fu
+/* Word offset of that fault in its stream. */
+#define GLOSS_REG_FAULT_OFFSET 0x044
+/* Sequence of the job that had it. */
+#define GLOSS_REG_FAULT_SEQUENCE 0x048
+/* Address of the access the host refused: its lower half. */
+#define GLOSS_REG_DMA_ERROR_LOW 0x04c
+/* Address of the access the host refused: its upper half. */
+#define GLOSS_REG_DMA_ERROR_HIGH 0x050
+/*
+ * Stream words the core has taken and response words it has given, of all jobs since the reset,
+ * modulo 2^32. A job is at work as long as this moves.
+ */
+#define GLOSS_REG_PROGRESS 0x054
+/* Jobs that have ended since the reset, modulo 2^32. */
+#define GLOSS_REG_JOBS 0x060
+/*
+ * Clocks in which the core had a job, of the jobs that have ended since the reset: lower half. 0 on
+ * a board without a clock.
+ */
+#define GLOSS_REG_CLOCKS_LOW 0x064
+/* Upper half of these clocks; it moves only when a job ends. */
+#define GLOSS_REG_CLOCKS_HIGH 0x068
+/* Of these clocks, modulo 2^32, those in which the core waited for stream words. */
+#define GLOSS_REG_STALL_STREAM 0x06c
+/* Of these clocks those in which a complete triangle waited for raster. */
+#define GLOSS_REG_STALL_RASTER 0x070
+/* Of these clocks those in which triangles waited for a tile buffer. */
+#define GLOSS_REG_STALL_TILE 0x074
+/* Of these clocks those in which the core waited for board memory. */
+#define GLOSS_REG_STALL_MEMORY 0x078
+/* Of these clocks those in which response words waited to be taken. */
+#define GLOSS_REG_STALL_RESPONSE 0x07c
+
+/* Structs in host memory: indices of words, masks of fields narrower than one. */
+
+/* An entry of the ring. Words without a field are zero, but not looked at. */
+#define GLOSS_JOB_DESCRIPTOR_WORDS 16
+/* The driver's number of the job; comes back in its completion. */
+#define GLOSS_JOB_DESCRIPTOR_SEQUENCE_WORD 0
+/* Length of the stream. */
+#define GLOSS_JOB_DESCRIPTOR_STREAM_WORDS_WORD 1
+/* Address of the list of the stream's pages, a multiple of 8; not looked at without words. */
+#define GLOSS_JOB_DESCRIPTOR_STREAM_LIST_LOW_WORD 2
+#define GLOSS_JOB_DESCRIPTOR_STREAM_LIST_HIGH_WORD 3
+/* Room for the response. */
+#define GLOSS_JOB_DESCRIPTOR_RESPONSE_WORDS_WORD 4
+/* Address of the list of the response's pages, a multiple of 8; not looked at without words. */
+#define GLOSS_JOB_DESCRIPTOR_RESPONSE_LIST_LOW_WORD 6
+#define GLOSS_JOB_DESCRIPTOR_RESPONSE_LIST_HIGH_WORD 7
+/* Address of the slot table, a multiple of 64: slots times a slot_entry. */
+#define GLOSS_JOB_DESCRIPTOR_SLOT_TABLE_LOW_WORD 8
+#define GLOSS_JOB_DESCRIPTOR_SLOT_TABLE_HIGH_WORD 9
+
+/*
+ * A range of board memory that the job's stream may name by its number. A job whose slots leave
+ * board memory is the driver's mistake: it harms no other job, and ends with MEMORY or as its
+ * stream deserves.
+ */
+#define GLOSS_SLOT_ENTRY_WORDS 4
+/* Byte address in board memory, a multiple of 4096. */
+#define GLOSS_SLOT_ENTRY_BASE_WORD 0
+/* Bytes; base + size is at most 2^32. An empty slot has 0. */
+#define GLOSS_SLOT_ENTRY_SIZE_WORD 1
+#define GLOSS_SLOT_ENTRY_RIGHTS_WORD 2
+#define GLOSS_SLOT_ENTRY_RIGHTS 0x00000003u
+
+/* How a job ended; the words of struct status behind its sequence. */
+#define GLOSS_COMPLETION_WORDS 4
+/* That of its descriptor. */
+#define GLOSS_COMPLETION_SEQUENCE_WORD 0
+#define GLOSS_COMPLETION_CAUSE_WORD 1
+#define GLOSS_COMPLETION_CAUSE 0x0000000fu
+/* Word offset of the fault; the stream's length without one. */
+#define GLOSS_COMPLETION_OFFSET_WORD 2
+/* Words of the response that were answered. */
+#define GLOSS_COMPLETION_RESPONSE_WORDS_WORD 3
+
+static inline const char *gloss_fault_name(unsigned int fault)
+{
+	switch (fault) {
+	case 0:
+		return "none";
+	case 1:
+		return "opcode";
+	case 2:
+		return "length";
+	case 3:
+		return "value";
+	case 4:
+		return "order";
+	case 5:
+		return "slot";
+	case 6:
+		return "response";
+	case 7:
+		return "memory";
+	case 8:
+		return "dma";
+	default:
+		return "unknown";
+	}
+}
+
+#endif
