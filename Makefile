@@ -25,7 +25,9 @@ Q :=
 quiet = @:
 endif
 
-RTL_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv)) rtl/gloss_core.sv
+# The core; rtl/port and rtl/board stand around it.
+RTL_SOURCES = rtl/gloss_pkg.sv $(filter-out rtl/port/% rtl/board/%,$(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv))) \
+	rtl/gloss_core.sv
 
 # What the fragments add to.
 ALL        :=
