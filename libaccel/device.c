@@ -9,6 +9,7 @@
 
 /* "auto" tries them in this order. */
 static const struct accel_transport_ops *const transports[] = {
+	&accel_transport_drm,
 	&accel_transport_model,
 	&accel_transport_sim,
 };
@@ -48,40 +49,50 @@ static void device_message_open(struct accel_device *device, const char *scheme,
 
 /* ---- opening ---- */
 
+static int device_try(struct accel_device *device, const struct accel_transport_ops *ops,
+		      const char *where, struct accel_transport_error *error)
+{
+	int err = ops->open(where, &device->state, error);
+
+	if (err)
+		return err;
+	device->ops = ops;
+	ops->info(device->state, &device->info);
+	if (device->info.version == GLOSS_VERSION)
+		return 0;
+	accel_transport_say(error, "the board speaks version %u of the stream, not %u",
+			    device->info.version, GLOSS_VERSION);
+	ops->close(device->state);
+	return -ENODEV;
+}
+
 static int device_open(struct accel_device *device, const struct accel_transport_ops *ops,
 		       const char *where)
 {
 	struct accel_transport_error error = { "" };
-	int err;
+	int err = device_try(device, ops, where, &error);
 
-	err = ops->open(where, &device->state, &error);
 	if (err)
-		goto err_message;
-	ops->info(device->state, &device->info);
-	if (device->info.version != GLOSS_VERSION) {
-		accel_transport_say(&error, "the board speaks version %u of the stream, not %u",
-				    device->info.version, GLOSS_VERSION);
-		err = -ENODEV;
-		goto err_close;
-	}
-	device->ops = ops;
-	return 0;
-
-err_close:
-	ops->close(device->state);
-err_message:
-	device_message_open(device, ops->scheme, &error, err);
+		device_message_open(device, ops->scheme, &error, err);
 	return err;
 }
 
-/* The answer of the last one tried, if none opens. */
+/*
+ * The answer of the last one tried, if none opens. Of a board that is just not there nothing
+ * is said while there are others.
+ */
 static int device_open_any(struct accel_device *device)
 {
 	int err = -ENODEV;
 	size_t i;
 
-	for (i = 0; i < TRANSPORTS && err; i++)
-		err = device_open(device, transports[i], "");
+	for (i = 0; i < TRANSPORTS && err; i++) {
+		struct accel_transport_error error = { "" };
+
+		err = device_try(device, transports[i], "", &error);
+		if (err && ((err != -ENODEV && err != -ENOSYS) || i + 1 == TRANSPORTS))
+			device_message_open(device, transports[i]->scheme, &error, err);
+	}
 	return err;
 }
 

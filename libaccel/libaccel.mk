@@ -1,10 +1,20 @@
 # SPDX-License-Identifier: MIT
 # The library, shared and static. Lists of objects come from model.mk and draw.mk.
 
+# "drm:" takes libdrm; without it the library says so when it is asked for a PCI board.
+DRM_PACKAGE := libdrm >= 2.4.99
+ifeq ($(shell pkg-config --exists '$(DRM_PACKAGE)' 2>/dev/null && echo yes),yes)
+DRM_SOURCES := transport_drm.c drm_node.c drm_pool.c
+DRM_CFLAGS := -Idriver $(shell pkg-config --cflags libdrm)
+DRM_LIBS := $(shell pkg-config --libs libdrm)
+else
+DRM_SOURCES := transport_drm_none.c
+endif
+
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c \
-	transport_model.c transport_sim.c engine.c range.c option.c) $(DRAW_SOURCES)
+	$(DRM_SOURCES) transport_model.c transport_sim.c engine.c range.c option.c) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
-ACCEL_LIBS := -lm -ldl -pthread
+ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS)
 ACCEL_VERSION := 0.1
 ACCEL_SONAME := libaccel.so.0
 
@@ -12,6 +22,9 @@ $(BUILD)/libaccel/%.o: libaccel/%.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -fPIC -pthread -MMD -MP -c $< -o $@
+
+$(DRM_SOURCES:%.c=$(BUILD)/libaccel/%.o): ACCEL_CFLAGS += $(DRM_CFLAGS)
+LINT_C += $(DRM_CFLAGS)
 
 # Where the library looks for plugins once it is installed; rebuilt when that changes.
 ACCEL_SIM_DIR := $(LIBDIR)/gloss
@@ -69,7 +82,8 @@ install-lib: lib $(ACCEL_SIMS)
 	$(Q)ln -sf $(ACCEL_SONAME) $(DESTDIR)$(LIBDIR)/libaccel.so
 	$(Q)install -m 644 $(BUILD)/libaccel.a $(DESTDIR)$(LIBDIR)
 	$(Q)sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' \
-		-e 's|@VERSION@|$(ACCEL_VERSION)|' libaccel/libaccel.pc.in >$(DESTDIR)$(LIBDIR)/pkgconfig/libaccel.pc
+		-e 's|@VERSION@|$(ACCEL_VERSION)|' \
+		-e 's|@REQUIRES@|$(if $(DRM_LIBS),$(DRM_PACKAGE))|' libaccel/libaccel.pc.in >$(DESTDIR)$(LIBDIR)/pkgconfig/libaccel.pc
 	$(Q)$(if $(ACCEL_SIMS),install -m 755 $(ACCEL_SIMS) $(DESTDIR)$(LIBDIR)/gloss)
 INSTALLS += install-lib
 

@@ -103,6 +103,7 @@ struct accel_transport_ops {
 	void (*clocks)(void *state, struct accel_device_clocks *clocks);
 };
 
+extern const struct accel_transport_ops accel_transport_drm;
 extern const struct accel_transport_ops accel_transport_model;
 extern const struct accel_transport_ops accel_transport_sim;
 

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: MIT
+/*
+ * "drm:": a PCI board, through the kernel module gloss. A job is one host object with its
+ * status, stream and response, and two ioctls, one to submit and one to wait: job n of a
+ * device is point n of its one timeline syncobj.
+ */
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+#include <xf86drm.h>
+
+#include "drm_node.h"
+#include "drm_pool.h"
+#include "gloss_drm.h"
+
+#define PAGE 4096u
+#define NS_PER_S 1000000000
+
+/* Where things are in a job's host object: the stream follows the status, then the response. */
+#define STATUS_OFFSET 0
+#define STREAM_OFFSET PAGE
+
+_Static_assert((int)GLOSS_RIGHTS_READ == DRM_GLOSS_SLOT_READ &&
+	       (int)GLOSS_RIGHTS_WRITE == DRM_GLOSS_SLOT_WRITE, "rights of a slot");
+
+struct drm_job {
+	struct drm_job *next;
+	uint64_t sequence;
+	struct accel_drm_buffer *buffer;
+	uint64_t response_offset;	/* in the buffer */
+	uint32_t *response;		/* the caller's */
+	uint32_t response_words;
+};
+
+struct transport_drm {
+	int fd;
+	uint32_t syncobj;
+	uint64_t words_max;		/* of a stream, and of a response */
+	struct accel_transport_info info;
+	struct accel_drm_pool pool;
+	uint64_t sequence;		/* of the last job; under the device's lock */
+	pthread_mutex_t lock;		/* protects what follows */
+	struct drm_job *first, **last;	/* in order, until waited for */
+};
+
+/* ---- opening ---- */
+
+static int drm_param(int fd, enum drm_gloss_param param, uint64_t *value)
+{
+	struct drm_gloss_get_param get = { .param = param };
+	int err = accel_drm_node_ioctl(fd, DRM_IOCTL_GLOSS_GET_PARAM, &get);
+
+	*value = get.value;
+	return err;
+}
+
+static int drm_identify(struct transport_drm *transport, const char *path)
+{
+	const enum drm_gloss_param params[] = {
+		DRM_GLOSS_PARAM_VERSION, DRM_GLOSS_PARAM_TILE_SIZE,
+		DRM_GLOSS_PARAM_PIXELS_PER_CLOCK, DRM_GLOSS_PARAM_MEMORY_SIZE,
+		DRM_GLOSS_PARAM_STREAM_WORDS_MAX,
+	};
+	struct accel_transport_info *info = &transport->info;
+	uint64_t value[sizeof(params) / sizeof(params[0])];
+	size_t i;
+	int err;
+
+	for (i = 0; i < sizeof(params) / sizeof(params[0]); i++) {
+		err = drm_param(transport->fd, params[i], &value[i]);
+		if (err)
+			return err;
+	}
+	*info = (struct accel_transport_info){
+		.version = (uint32_t)value[0],
+		.tile_size = (uint32_t)value[1],
+		.pixels_per_clock = (uint32_t)value[2],
+		.memory_size = value[3],
+	};
+	transport->words_max = value[4];
+	snprintf(info->name, sizeof(info->name), "Gloss PCI board %s, %u-pixel tiles, %u lanes",
+		 path, info->tile_size, info->pixels_per_clock);
+	return 0;
+}
+
+static int transport_drm_open(const char *where, void **state,
+			      struct accel_transport_error *error)
+{
+	struct transport_drm *transport = calloc(1, sizeof(*transport));
+	char path[sizeof(transport->info.name)];
+	int err;
+
+	if (!transport)
+		return -ENOMEM;
+	transport->fd = accel_drm_node_open(where, path, sizeof(path), error);
+	if (transport->fd < 0) {
+		err = transport->fd;
+		goto err_free;
+	}
+	err = drm_identify(transport, path);
+	if (err)
+		goto err_close;
+	err = accel_drm_node_error(drmSyncobjCreate(transport->fd, 0, &transport->syncobj));
+	if (err)
+		goto err_close;
+	accel_drm_pool_init(&transport->pool, transport->fd);
+	transport->last = &transport->first;
+	pthread_mutex_init(&transport->lock, NULL);
+	*state = transport;
+	return 0;
+
+err_close:
+	accel_transport_say(error, "%s does not answer as a gloss module of this version: %s",
+			    path, strerror(-err));
+	close(transport->fd);
+	err = err == -ENOMEM ? -ENOMEM : -ENODEV;
+err_free:
+	free(transport);
+	return err;
+}
+
+static void transport_drm_close(void *state)
+{
+	struct transport_drm *transport = state;
+
+	accel_drm_pool_fini(&transport->pool);
+	drmSyncobjDestroy(transport->fd, transport->syncobj);
+	close(transport->fd);
+	pthread_mutex_destroy(&transport->lock);
+	free(transport);
+}
+
+static void transport_drm_info(void *state, struct accel_transport_info *info)
+{
+	const struct transport_drm *transport = state;
+
+	*info = transport->info;
+}
+
+/* ---- board memory: an object of the library is a GEM handle, and a size above it ---- */
+
+static uint32_t drm_object_handle(uint64_t object)
+{
+	return (uint32_t)object;
+}
+
+static uint64_t drm_object_size(uint64_t object)
+{
+	return object >> 32;
+}
+
+static int transport_drm_memory_new(void *state, uint64_t size, uint64_t *object)
+{
+	struct drm_gloss_gem_create create = { .size = size, .kind = DRM_GLOSS_GEM_BOARD };
+	struct transport_drm *transport = state;
+	int err;
+
+	err = accel_drm_node_ioctl(transport->fd, DRM_IOCTL_GLOSS_GEM_CREATE, &create);
+	if (!err)
+		*object = size << 32 | create.handle;
+	return err;
+}
+
+static void transport_drm_memory_free(void *state, uint64_t object)
+{
+	struct drm_gem_close close = { .handle = drm_object_handle(object) };
+	struct transport_drm *transport = state;
+
+	accel_drm_node_ioctl(transport->fd, DRM_IOCTL_GEM_CLOSE, &close);
+}
+
+/* ---- submitting ---- */
+
+static uint64_t drm_page_align(uint64_t bytes)
+{
+	return (bytes + PAGE - 1) / PAGE * PAGE;
+}
+
+/* The stream goes to the job's buffer, and a status in case the kernel gives none. */
+static void drm_job_fill(const struct drm_job *job, const struct accel_transport_job *from)
+{
+	const struct drm_gloss_status lost = { .error = -EIO };
+	uint8_t *map = job->buffer->map;
+
+	memcpy(map + STATUS_OFFSET, &lost, sizeof(lost));
+	if (from->stream_words)
+		memcpy(map + STREAM_OFFSET, from->stream,
+		       (size_t)from->stream_words * sizeof(uint32_t));
+}
+
+static int drm_job_new(struct transport_drm *transport, const struct accel_transport_job *from,
+		       struct drm_job **out)
+{
+	struct drm_job *job = malloc(sizeof(*job));
+	int err;
+
+	if (!job)
+		return -ENOMEM;
+	*job = (struct drm_job){
+		.sequence = transport->sequence + 1,
+		.response_offset = STREAM_OFFSET +
+				   drm_page_align(4 * (uint64_t)from->stream_words),
+		.response = from->response,
+		.response_words = from->response_words,
+	};
+	err = accel_drm_pool_get(&transport->pool,
+				 job->response_offset + 4 * (uint64_t)from->response_words,
+				 &job->buffer);
+	if (err) {
+		free(job);
+		return err;
+	}
+	drm_job_fill(job, from);
+	*out = job;
+	return 0;
+}
+
+/* A slot without rights is an empty one to the kernel; to a stream it is the same. */
+static void drm_fill_slots(const struct accel_transport_job *from, struct drm_gloss_slot *slot)
+{
+	uint32_t i;
+
+	for (i = 0; i < from->slots; i++) {
+		slot[i] = (struct drm_gloss_slot){ 0 };
+		if (from->slot[i].rights)
+			slot[i] = (struct drm_gloss_slot){
+				.handle = drm_object_handle(from->slot[i].object),
+				.rights = from->slot[i].rights,
+				.size = drm_object_size(from->slot[i].object),
+			};
+	}
+}
+
+static int drm_job_submit(const struct transport_drm *transport, const struct drm_job *job,
+			  const struct accel_transport_job *from)
+{
+	struct drm_gloss_slot slot[GLOSS_SLOTS];
+	const struct drm_gloss_sync ended = {
+		.handle = transport->syncobj,
+		.flags = DRM_GLOSS_SYNC_TIMELINE,
+		.point = job->sequence,
+	};
+	struct drm_gloss_submit submit = {
+		.stream_words = from->stream_words,
+		.response_words = from->response_words,
+		.status = job->buffer->handle,
+		.status_offset = STATUS_OFFSET,
+		.slot_count = from->slots,
+		.slots = (uintptr_t)slot,
+		.slot_stride = from->slots ? sizeof(slot[0]) : 0,
+		.out_syncs = (uintptr_t)&ended,
+		.out_sync_count = 1,
+		.sync_stride = sizeof(ended),
+	};
+
+	if (from->stream_words) {
+		submit.stream = job->buffer->handle;
+		submit.stream_offset = STREAM_OFFSET;
+	}
+	if (from->response_words) {
+		submit.response = job->buffer->handle;
+		submit.response_offset = job->response_offset;
+	}
+	drm_fill_slots(from, slot);
+	return accel_drm_node_ioctl(transport->fd, DRM_IOCTL_GLOSS_SUBMIT, &submit);
+}
+
+/* The job can be waited for from now on. */
+static void drm_job_append(struct transport_drm *transport, struct drm_job *job)
+{
+	pthread_mutex_lock(&transport->lock);
+	*transport->last = job;
+	transport->last = &job->next;
+	pthread_mutex_unlock(&transport->lock);
+}
+
+static int transport_drm_submit(void *state, const struct accel_transport_job *from,
+				uint64_t *sequence)
+{
+	struct transport_drm *transport = state;
+	struct drm_job *job;
+	int err;
+
+	if (from->slots > GLOSS_SLOTS || from->stream_words > transport->words_max ||
+	    from->response_words > transport->words_max)
+		return -EINVAL;
+	err = drm_job_new(transport, from, &job);
+	if (err)
+		return err;
+	err = drm_job_submit(transport, job, from);
+	if (err) {
+		accel_drm_pool_put(&transport->pool, job->buffer);
+		free(job);
+		return err;
+	}
+	drm_job_append(transport, job);
+	transport->sequence = job->sequence;
+	*sequence = job->sequence;
+	return 0;
+}
+
+/* ---- waiting ---- */
+
+/* The clock of the kernel's waits, saturated. */
+static int64_t drm_deadline(int64_t timeout_ns)
+{
+	struct timespec now;
+	int64_t now_ns;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	now_ns = now.tv_sec * (int64_t)NS_PER_S + now.tv_nsec;
+	return timeout_ns < 0 || timeout_ns > INT64_MAX - now_ns ? INT64_MAX : now_ns + timeout_ns;
+}
+
+static int drm_wait_point(struct transport_drm *transport, uint64_t point, int64_t timeout_ns)
+{
+	int err;
+
+	err = drmSyncobjTimelineWait(transport->fd, &transport->syncobj, &point, 1,
+				     drm_deadline(timeout_ns), 0, NULL);
+	return err == -ETIME ? -ETIMEDOUT : accel_drm_node_error(err);
+}
+
+/* Takes a job off the list; NULL: no such job. */
+static struct drm_job *drm_job_take(struct transport_drm *transport, uint64_t sequence)
+{
+	struct drm_job **link, *job;
+
+	pthread_mutex_lock(&transport->lock);
+	for (link = &transport->first; *link && (*link)->sequence != sequence;)
+		link = &(*link)->next;
+	job = *link;
+	if (job) {
+		*link = job->next;
+		if (!job->next)
+			transport->last = link;
+	}
+	pthread_mutex_unlock(&transport->lock);
+	return job;
+}
+
+static int drm_job_result(const struct drm_job *job, struct gloss_status *status)
+{
+	const uint8_t *map = job->buffer->map;
+	struct drm_gloss_status ended;
+	uint32_t words;
+
+	memcpy(&ended, map + STATUS_OFFSET, sizeof(ended));
+	if (ended.error)
+		return ended.error == -ENODEV || ended.error == -ECANCELED ? -ENODEV : -EIO;
+	words = ended.response_words < job->response_words ? ended.response_words :
+							     job->response_words;
+	*status = (struct gloss_status){
+		.cause = (enum gloss_fault)ended.cause,
+		.offset = ended.offset,
+		.response_words = words,
+	};
+	if (words)
+		memcpy(job->response, map + job->response_offset,
+		       (size_t)words * sizeof(uint32_t));
+	return 0;
+}
+
+static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns,
+			      struct gloss_status *status)
+{
+	struct transport_drm *transport = state;
+	struct drm_job *job;
+	int err;
+
+	err = drm_wait_point(transport, sequence, timeout_ns);
+	if (err == -ETIMEDOUT)
+		return err;
+	job = drm_job_take(transport, sequence);
+	if (!job)
+		return -EINVAL;
+	*status = (struct gloss_status){ .cause = GLOSS_FAULT_NONE };
+	if (err) {
+		accel_drm_pool_drop(&transport->pool, job->buffer);
+	} else {
+		err = drm_job_result(job, status);
+		accel_drm_pool_put(&transport->pool, job->buffer);
+	}
+	free(job);
+	return err;
+}
+
+const struct accel_transport_ops accel_transport_drm = {
+	.scheme = "drm",
+	.open = transport_drm_open,
+	.close = transport_drm_close,
+	.info = transport_drm_info,
+	.memory_new = transport_drm_memory_new,
+	.memory_free = transport_drm_memory_free,
+	.submit = transport_drm_submit,
+	.wait = transport_drm_wait,
+};
