@@ -1,0 +1,351 @@
+/* SPDX-License-Identifier: GPL-2.0-only */
+/*
+ * What the files of the module share. A file is a noun, and its functions begin with it:
+ *
+ *   gloss_drv     the module, PCI, the table of ioctls
+ *   gloss_device  a board: registers, reset, its going away
+ *   gloss_file    an open file
+ *   gloss_gem     objects: the ioctls; gloss_host and gloss_memory, the two kinds
+ *   gloss_clear   jobs that empty board memory
+ *   gloss_submit  the ioctl that makes a job; gloss_sync, what it waits for and signals
+ *   gloss_job     a job, from its making to its end
+ *   gloss_sched   which job is next, and what happens to one that hangs
+ *   gloss_ring    jobs the board has
+ *   gloss_irq     what it says of them
+ *
+ * Locks, outer ones first: gloss_device.stop_lock, a reservation (dma_resv),
+ * gloss_file.lock, gloss_hosts.lock or gloss_memory.lock, gloss_ring.lock,
+ * gloss_ring.fence_lock. The last two are taken by the interrupt.
+ */
+#ifndef GLOSS_DRV_H
+#define GLOSS_DRV_H
+
+#include <drm/drm_device.h>
+#include <drm/drm_file.h>
+#include <drm/drm_gem_shmem_helper.h>
+#include <drm/drm_mm.h>
+#include <drm/gpu_scheduler.h>
+#include <linux/dma-fence.h>
+#include <linux/io.h>
+#include <linux/kref.h>
+#include <linux/ktime.h>
+#include <linux/mutex.h>
+#include <linux/spinlock.h>
+#include <linux/wait.h>
+
+#include "gloss_drm.h"
+#include "gloss_regs.h"
+
+#define GLOSS_HOST_SIZE_MAX	SZ_256M
+#define GLOSS_STREAM_WORDS_MAX	(GLOSS_HOST_SIZE_MAX / sizeof(u32))
+#define GLOSS_RING_ENTRIES	BIT(GLOSS_RING_MAX_LOG2)
+/* Jobs the scheduler gives the board ahead of their turn; fewer than the ring has entries. */
+#define GLOSS_JOBS_AHEAD	64
+#define GLOSS_PRIORITIES	(DRM_GLOSS_PRIORITY_HIGH + 1)
+/* A job's objects: its slots, stream, response and status. */
+#define GLOSS_JOB_OBJECTS	(GLOSS_SLOTS + 3)
+
+struct gloss_device;
+struct gloss_job;
+
+extern unsigned int gloss_timeout_ms;
+
+/* What board and driver share, in coherent memory. */
+struct gloss_ring_shared {
+	__le32 descriptor[GLOSS_RING_ENTRIES][GLOSS_JOB_DESCRIPTOR_WORDS];
+	__le32 completion[GLOSS_RING_ENTRIES][GLOSS_COMPLETION_WORDS];
+	__le32 slot[GLOSS_RING_ENTRIES][GLOSS_SLOTS][GLOSS_SLOT_ENTRY_WORDS];
+};
+
+/* What went wrong last, for debugfs. */
+struct gloss_ring_fault {
+	u32 sequence;			/* of the job; 0: nothing yet */
+	struct drm_gloss_status status;
+	u64 dma_address;		/* with status.cause dma */
+	pid_t pid;			/* of the job's file; 0: the driver's own job */
+	ktime_t time;
+};
+
+/* Jobs that the board has and has not ended, from head to tail. */
+struct gloss_ring {
+	struct gloss_ring_shared *shared;
+	dma_addr_t address;		/* of @shared */
+
+	/* Protects the following members. */
+	spinlock_t lock;
+	u16 head, tail;			/* counts of jobs, as in the board's registers */
+	u32 sequence;			/* of the job put in last; never 0 */
+	struct gloss_job *job[GLOSS_RING_ENTRIES];
+	ktime_t idle;			/* when the last job ended */
+	u64 jobs, faults;		/* ended; of these with a cause */
+	u64 busy_ns;
+	struct gloss_ring_fault fault;
+
+	/* What the board had done when it was looked at last; under stop_lock. */
+	u32 seen_head, seen_progress;
+
+	spinlock_t fence_lock;		/* of the fences of all jobs */
+	u64 fence_context;
+	u64 fence_sequence;		/* of the fence made last; of gloss_sched_run_job only */
+};
+
+/* All host objects, so that none is mapped for a board that has gone. */
+struct gloss_hosts {
+	struct mutex lock;		/* protects the following, and each object's mapping */
+	struct list_head list;
+	bool gone;
+};
+
+/* Board memory. */
+struct gloss_memory {
+	u64 size;			/* bytes; does not change after probe */
+	u32 granule;			/* objects begin and end at multiples of this */
+	struct mutex lock;		/* protects the following members */
+	struct drm_mm mm;
+};
+
+/* The stream that clears tiles from the start of slot 0; any number of them is a prefix. */
+struct gloss_clear {
+	u32 *stream;
+	__le64 *list;			/* bus addresses of its pages, in the same allocation */
+	dma_addr_t list_address;
+	struct drm_sched_entity entity;
+	struct mutex lock;		/* keeps the entity's jobs in order */
+};
+
+struct gloss_device {
+	struct drm_device drm;
+	void __iomem *registers;
+	int irq;
+	bool msi;
+	/* The board has gone, or does not come out of reset. Set once and never cleared. */
+	bool gone;
+
+	/* What the board says of itself. */
+	u32 version, tile_size, pixels_per_clock;
+
+	struct gloss_ring ring;
+	struct gloss_hosts hosts;
+	struct gloss_memory memory;
+	struct gloss_clear clear;
+
+	struct drm_gpu_scheduler sched;
+	struct workqueue_struct *sched_wq;	/* looks at late jobs */
+	struct mutex stop_lock;			/* held while the scheduler is stopped */
+	atomic_t resets;
+
+	atomic_t jobs;			/* that exist, whatever their state */
+	atomic_t jobs_ended;		/* of these, ended and not yet freed */
+	wait_queue_head_t jobs_wait;	/* woken when a job is freed */
+};
+
+static inline struct gloss_device *to_gloss_device(struct drm_device *drm)
+{
+	return container_of(drm, struct gloss_device, drm);
+}
+
+/* An open file. Its jobs hold references, so it may outlive its closing. */
+struct gloss_file {
+	struct kref ref;
+	struct gloss_device *gdev;
+	pid_t pid;
+	bool closed;			/* jobs that have not begun are cancelled */
+	atomic_t jobs_lost;		/* DRM_GLOSS_PARAM_JOBS_LOST */
+	atomic64_t engine_ns;		/* time the board worked for this file */
+	atomic64_t jobs;		/* ended */
+	struct mutex lock;		/* keeps the jobs of an entity in order */
+	struct drm_sched_entity entity[GLOSS_PRIORITIES];
+};
+
+static inline struct gloss_file *to_gloss_file(struct drm_file *drm)
+{
+	return drm->driver_priv;
+}
+
+/*
+ * An object in pages of the host. From its first use in a job until the object or the
+ * board goes, it is mapped: @list has the bus address of each 4096 bytes of it, and
+ * @list_address is where the board finds the list.
+ */
+struct gloss_host {
+	struct drm_gem_shmem_object base;
+	struct list_head node;		/* in gloss_hosts.list */
+	bool pinned;			/* base.pages stay until the object goes */
+	__le64 *list;
+	dma_addr_t list_address;
+};
+
+/* An object in board memory. */
+struct gloss_board {
+	struct drm_gem_object base;
+	struct drm_mm_node node;
+	/* Clearing it failed: who knows what is in there. Jobs that name it end with -EIO. */
+	bool lost;
+};
+
+extern const struct drm_gem_object_funcs gloss_host_funcs;
+extern const struct drm_gem_object_funcs gloss_board_funcs;
+
+static inline bool gloss_gem_is_host(const struct drm_gem_object *object)
+{
+	return object->funcs == &gloss_host_funcs;
+}
+
+static inline bool gloss_gem_is_board(const struct drm_gem_object *object)
+{
+	return object->funcs == &gloss_board_funcs;
+}
+
+static inline struct gloss_host *to_gloss_host(struct drm_gem_object *object)
+{
+	return container_of(to_drm_gem_shmem_obj(object), struct gloss_host, base);
+}
+
+static inline struct gloss_board *to_gloss_board(struct drm_gem_object *object)
+{
+	return container_of(object, struct gloss_board, base);
+}
+
+enum gloss_job_state {
+	GLOSS_JOB_WAITING,		/* the scheduler has it, or nobody yet */
+	GLOSS_JOB_RUNNING,		/* it is in the ring */
+	GLOSS_JOB_ENDED,
+};
+
+/* A range of board memory, as the board's slot table has it. */
+struct gloss_job_slot {
+	u32 base, size, rights;
+};
+
+struct gloss_job {
+	struct drm_sched_job base;
+	struct gloss_device *gdev;
+	struct gloss_file *file;	/* NULL: the driver's own */
+	struct gloss_board *clears;	/* the object whose clearing this is, or NULL */
+
+	/* Allocated with the job, initialised when it is first run. */
+	struct dma_fence *fence;
+	enum gloss_job_state state;	/* under gloss_ring.lock once pushed to the scheduler */
+
+	/* For the board. */
+	u32 sequence;
+	u32 stream_words, response_words;
+	dma_addr_t stream_list, response_list;
+	struct gloss_job_slot slot[GLOSS_SLOTS];
+
+	/* Where the status goes; NULL: nowhere. The page is pinned by one of @objects. */
+	struct page *status_page;
+	u32 status_offset;
+
+	ktime_t begun;			/* when the board was told of it */
+
+	/* References, none twice; bit i of @writes: the job writes object i. */
+	struct drm_gem_object *object[GLOSS_JOB_OBJECTS];
+	unsigned int objects;
+	u32 writes;
+};
+
+static inline struct gloss_job *to_gloss_job(struct drm_sched_job *base)
+{
+	return container_of(base, struct gloss_job, base);
+}
+
+/* gloss_device.c */
+static inline u32 gloss_read(struct gloss_device *gdev, u32 reg)
+{
+	return readl(gdev->registers + reg);
+}
+
+static inline void gloss_write(struct gloss_device *gdev, u32 reg, u32 value)
+{
+	writel(value, gdev->registers + reg);
+}
+
+int gloss_device_identify(struct gloss_device *gdev);
+int gloss_device_reset(struct gloss_device *gdev);
+int gloss_device_start(struct gloss_device *gdev);
+void gloss_device_stop(struct gloss_device *gdev);
+void gloss_device_set_gone(struct gloss_device *gdev, const char *why);
+
+static inline bool gloss_device_gone(struct gloss_device *gdev)
+{
+	return READ_ONCE(gdev->gone);
+}
+
+/* gloss_file.c */
+int gloss_file_open(struct drm_device *drm, struct drm_file *file);
+void gloss_file_close(struct drm_device *drm, struct drm_file *file);
+void gloss_file_put(struct gloss_file *file);
+
+/* gloss_gem.c */
+int gloss_gem_create_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
+int gloss_gem_mmap_offset_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
+
+/* gloss_host.c */
+int gloss_hosts_init(struct gloss_device *gdev);
+void gloss_hosts_unmap(struct gloss_device *gdev);
+struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size);
+struct drm_gem_object *gloss_host_create(struct gloss_device *gdev, size_t size);
+int gloss_host_map(struct gloss_host *host);
+
+/* gloss_memory.c */
+int gloss_memory_init(struct gloss_device *gdev);
+struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, u64 size);
+
+/* gloss_clear.c */
+int gloss_clear_init(struct gloss_device *gdev);
+void gloss_clear_fini(struct gloss_device *gdev);
+int gloss_clear_board(struct gloss_board *board);
+
+/* gloss_submit.c */
+int gloss_submit_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
+
+/* gloss_sync.c */
+
+/* An out-sync: a syncobj, and the point to add to it, if it is a timeline. */
+struct gloss_sync {
+	struct drm_syncobj *syncobj;
+	struct dma_fence_chain *chain;
+	u64 point;
+};
+
+int gloss_sync_wait_for(struct gloss_job *job, struct drm_file *file,
+			const struct drm_gloss_submit *args);
+struct gloss_sync *gloss_sync_find(struct drm_file *file, const struct drm_gloss_submit *args);
+void gloss_sync_signal(struct gloss_sync *syncs, unsigned int count, struct dma_fence *fence);
+void gloss_sync_free(struct gloss_sync *syncs, unsigned int count);
+
+/* gloss_job.c */
+struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *file,
+				struct drm_sched_entity *entity);
+int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool write);
+int gloss_job_lock(struct gloss_job *job, struct ww_acquire_ctx *ctx);
+struct dma_fence *gloss_job_push(struct gloss_job *job);
+void gloss_job_unlock(struct gloss_job *job, struct ww_acquire_ctx *ctx);
+void gloss_job_begin(struct gloss_job *job);
+void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status);
+void gloss_job_free(struct gloss_job *job);
+
+/* gloss_sched.c */
+int gloss_sched_init(struct gloss_device *gdev);
+void gloss_sched_kick(struct gloss_device *gdev);
+void gloss_sched_lose(struct gloss_device *gdev);
+int gloss_sched_suspend(struct gloss_device *gdev);
+void gloss_sched_resume(struct gloss_device *gdev);
+
+/* gloss_ring.c */
+int gloss_ring_init(struct gloss_device *gdev);
+void gloss_ring_start(struct gloss_device *gdev);
+void gloss_ring_push(struct gloss_ring *ring, struct gloss_job *job);
+unsigned int gloss_ring_reap(struct gloss_ring *ring);
+bool gloss_ring_idle(struct gloss_ring *ring);
+
+/* gloss_irq.c */
+int gloss_irq_init(struct gloss_device *gdev);
+void gloss_irq_fini(struct gloss_device *gdev);
+
+/* gloss_debugfs.c, gloss_fdinfo.c */
+void gloss_debugfs_init(struct drm_minor *minor);
+void gloss_fdinfo_show(struct seq_file *m, struct file *file);
+
+#endif
