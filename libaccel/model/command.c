@@ -136,10 +136,8 @@ static bool slot_valid(const struct model *model, const struct gloss_slot *slot)
 			       (uint64_t)slot->base + slot->size <= model->memory_size);
 }
 
-static bool job_valid(const struct model *model, const struct gloss_job *job)
+static bool slots_valid(const struct model *model, const struct gloss_job *job)
 {
-	if ((job->stream_words && !job->stream) || (job->response_words && !job->response))
-		return false;
 	for (unsigned int n = 0; n < GLOSS_SLOTS; n++)
 		if (!slot_valid(model, &job->slot[n]))
 			return false;
@@ -147,9 +145,16 @@ static bool job_valid(const struct model *model, const struct gloss_job *job)
 }
 
 /* What every job starts from. */
-static void job_begin(struct model *model, const struct gloss_job *job)
+int model_begin(struct model *model, const struct gloss_job *job)
 {
+	if (!slots_valid(model, job))
+		return -EINVAL;
 	model->job = job;
+	model->at = 0;
+	model->stream_from = 0;
+	model->response_from = 0;
+	model->fault = GLOSS_FAULT_NONE;
+	model->fault_word = 0;
 	model->state = (struct model_state){
 		.depth_func = GLOSS_COMPARE_ALWAYS,
 		.depth_write = false,
@@ -159,30 +164,44 @@ static void job_begin(struct model *model, const struct gloss_job *job)
 	model->counters = (struct model_counters){ 0 };
 	model->response_used = 0;
 	model->in_tile = false;
+	return 0;
+}
+
+bool model_step(struct model *model)
+{
+	const uint32_t *packet;
+
+	if (model->fault || model->at == model->job->stream_words)
+		return false;
+	packet = model->job->stream + (model->at - model->stream_from);
+	model->fault = model_command_check(model, model->at, &model->fault_word);
+	if (model->fault)
+		return false;
+	if (run[gloss_header_opcode(packet[0])])
+		run[gloss_header_opcode(packet[0])](model, packet);
+	model->at += 1 + gloss_header_length(packet[0]);
+	return true;
+}
+
+void model_end(struct model *model, struct gloss_status *status)
+{
+	if (!model->fault) {
+		model->fault = model->in_tile ? GLOSS_FAULT_ORDER : GLOSS_FAULT_NONE;
+		model->fault_word = 0;
+	}
+	model->job = NULL;
+	*status = (struct gloss_status){ model->fault, model->at + model->fault_word,
+					 model->response_used };
 }
 
 int model_run(struct model *model, const struct gloss_job *job, struct gloss_status *status)
 {
-	enum gloss_fault fault = GLOSS_FAULT_NONE;
-	uint32_t at = 0, word = 0;
-
-	if (!job_valid(model, job))
+	if ((job->stream_words && !job->stream) || (job->response_words && !job->response))
 		return -EINVAL;
-	job_begin(model, job);
-	while (at < job->stream_words) {
-		const uint32_t *packet = job->stream + at;
-
-		fault = model_command_check(model, at, &word);
-		if (fault)
-			break;
-		if (run[gloss_header_opcode(packet[0])])
-			run[gloss_header_opcode(packet[0])](model, packet);
-		at += 1 + gloss_header_length(packet[0]);
-		word = 0;
-	}
-	if (!fault && model->in_tile)
-		fault = GLOSS_FAULT_ORDER;
-	model->job = NULL;
-	*status = (struct gloss_status){ fault, at + word, model->response_used };
+	if (model_begin(model, job))
+		return -EINVAL;
+	while (model_step(model))
+		;
+	model_end(model, status);
 	return 0;
 }

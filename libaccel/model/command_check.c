@@ -280,7 +280,7 @@ static bool place_valid(enum place place, bool in_tile)
 
 enum gloss_fault model_command_check(const struct model *model, uint32_t at, uint32_t *word)
 {
-	const uint32_t *packet = model->job->stream + at;
+	const uint32_t *packet = model->job->stream + (at - model->stream_from);
 	const struct rule *rule;
 
 	*word = 0;

@@ -40,7 +40,7 @@ void model_memory_write(struct model *model, unsigned int slot, uint32_t offset,
 
 uint32_t *model_memory_answer(struct model *model, uint32_t count)
 {
-	uint32_t *words = model->job->response + model->response_used;
+	uint32_t *words = model->job->response + (model->response_used - model->response_from);
 
 	model->response_used += count;
 	return words;

@@ -93,6 +93,11 @@ struct model {
 
 	/* The job under way. */
 	const struct gloss_job *job;
+	uint32_t at;			/* word of the stream the next packet begins at */
+	uint32_t stream_from;		/* word of the stream that job->stream[0] is */
+	uint32_t response_from;		/* word of the response that job->response[0] is */
+	enum gloss_fault fault;
+	uint32_t fault_word;		/* counted from at */
 	struct model_state state;
 	struct model_counters counters;
 	uint32_t response_used;		/* words */
@@ -139,6 +144,23 @@ int model_init(struct model *model, int tile_size, void *memory, size_t memory_s
  * a 4096-byte boundary or leaves board memory, or words without a buffer.
  */
 int model_run(struct model *model, const struct gloss_job *job, struct gloss_status *status);
+
+/* No packet is longer, and none answers more. */
+#define MODEL_PACKET_WORDS (1 + GLOSS_LENGTH_MAX)
+#define MODEL_ANSWER_WORDS 65535u
+
+/*
+ * The same in steps, for whom the stream and the response do not lie in memory as a whole: begin,
+ * step until it is false, end. A step executes a packet. Before it job->stream holds the next
+ * MODEL_PACKET_WORDS words of the stream from @model->at on, or all that are left, and
+ * job->response has room for MODEL_ANSWER_WORDS from @model->response_used on, or all there is;
+ * stream_from and response_from, which begin sets to zero, say which words come first in them.
+ * A job that is begun may also be forgotten.
+ * -EINVAL: a slot, as in model_run.
+ */
+int model_begin(struct model *model, const struct gloss_job *job);
+bool model_step(struct model *model);
+void model_end(struct model *model, struct gloss_status *status);
 
 /* ---- command_check.c ---- */
 

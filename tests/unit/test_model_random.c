@@ -118,6 +118,55 @@ static void jobs_use_the_whole_interface(void **state)
 	assert_true(covered - passed > 20 * triangles);
 }
 
+/* No word of the stream in memory but what a step may ask for, the answers taken away each time. */
+static void run_in_steps(uint32_t *answers, struct gloss_status *status)
+{
+	static uint32_t stream[MODEL_PACKET_WORDS], answer[MODEL_ANSWER_WORDS];
+	bool more = true;
+
+	job.job.stream = stream;
+	job.job.response = answer;
+	assert_int_equal(model_begin(&model, &job.job), 0);
+	while (more) {
+		uint32_t words = job.job.stream_words - model.at;
+
+		words = words < MODEL_PACKET_WORDS ? words : MODEL_PACKET_WORDS;
+		memset(stream, 0xee, sizeof(stream));
+		memcpy(stream, job.words + model.at, 4 * (size_t)words);
+		model.stream_from = model.at;
+		model.response_from = model.response_used;
+		more = model_step(&model);
+		memcpy(answers + model.response_from, answer,
+		       4 * (size_t)(model.response_used - model.response_from));
+	}
+	model_end(&model, status);
+}
+
+static void jobs_in_steps_end_as_whole_ones(void **state)
+{
+	static uint8_t whole_memory[STREAM_RANDOM_MEMORY];
+	static uint32_t answers[STREAM_RANDOM_RESPONSE + 128];
+	uint64_t seed = test_seed();
+
+	(void)state;
+	for (uint64_t n = 0; n < 1000; n++) {
+		int tile_size = n % 2 ? 32 : 64;
+		struct gloss_status whole, steps;
+
+		stream_random_valid(&job, seed + n, tile_size);
+		if (n % 4 > 1)
+			stream_random_damage(&job);
+		stream_random_memory(memory, sizeof(memory), seed + n);
+		whole = run(tile_size);
+		memcpy(whole_memory, memory, sizeof(memory));
+		stream_random_memory(memory, sizeof(memory), seed + n);
+		run_in_steps(answers, &steps);
+		assert_memory_equal(&whole, &steps, sizeof(whole));
+		assert_memory_equal(whole_memory, memory, sizeof(memory));
+		assert_memory_equal(response, answers, 4 * (size_t)whole.response_words);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -126,6 +175,7 @@ int main(void)
 		cmocka_unit_test(same_seed_gives_the_same_job),
 		cmocka_unit_test(same_seed_gives_the_same_job_everywhere),
 		cmocka_unit_test(jobs_use_the_whole_interface),
+		cmocka_unit_test(jobs_in_steps_end_as_whole_ones),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
