@@ -344,6 +344,15 @@ bool gloss_ring_idle(struct gloss_ring *ring);
 int gloss_irq_init(struct gloss_device *gdev);
 void gloss_irq_fini(struct gloss_device *gdev);
 
+/*
+ * What drm-client-id and the tracepoints call a file: unlike a pid it is no other file's.
+ * 0: the driver itself.
+ */
+static inline u64 gloss_file_client(const struct gloss_file *file)
+{
+	return file ? file->entity[0].fence_context : 0;
+}
+
 /* gloss_debugfs.c, gloss_fdinfo.c */
 void gloss_debugfs_init(struct drm_minor *minor);
 void gloss_fdinfo_show(struct seq_file *m, struct file *file);
