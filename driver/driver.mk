@@ -55,6 +55,14 @@ lint-checkpatch: $(KERNEL_SCRIPTS)/checkpatch.pl ## the kernel's checkpatch on t
 	$(Q)$(CHECKPATCH) -f $(filter-out %/gloss_drm.h,$(wildcard driver/*.[ch])) driver/Kbuild
 	$(Q)$(CHECKPATCH) --ignore BIT_MACRO -f driver/gloss_drm.h
 
+# sparse only warns, so any word of it fails.
+lint-sparse: $(MODULE) ## sparse on the driver
+	$(call quiet,LINT,sparse driver)
+	@mkdir -p $(BUILD)/check
+	$(Q)$(KBUILD) -s C=2 CHECK=sparse modules >$(BUILD)/check/sparse.log 2>&1; \
+		[ $$? -eq 0 ] && [ ! -s $(BUILD)/check/sparse.log ] || \
+		{ cat $(BUILD)/check/sparse.log; exit 1; }
+
 # gloss_drm.h for itself, in C and C++; without padding that a compiler chose, and with the
 # same offsets for 32-bit programs; documented.
 UAPI = echo '\#include "gloss_drm.h"' | $(1) -Wall -Wextra -Werror -Idriver \
