@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-2.0-only */
+/*
+ * Where kernels differ, so that no other file has to know: of 6.1 and its neighbours up to
+ * 6.12. What one offers is found by features.sh. A driver inside the kernel has no such file.
+ */
+#ifndef GLOSS_COMPAT_H
+#define GLOSS_COMPAT_H
+
+#include <drm/gpu_scheduler.h>
+
+#include "gloss_features.h"
+
+#ifdef GLOSS_HAVE_SCHED_PRIORITY_LOW
+#define GLOSS_SCHED_PRIORITY_LOW	DRM_SCHED_PRIORITY_LOW
+#else
+#define GLOSS_SCHED_PRIORITY_LOW	DRM_SCHED_PRIORITY_MIN
+#endif
+
+/* A scheduler that has @ahead jobs with the board at once, and asks about a late one on @wq. */
+static inline int gloss_compat_sched_init(struct drm_gpu_scheduler *sched,
+					  const struct drm_sched_backend_ops *ops, u32 ahead,
+					  long timeout, struct workqueue_struct *wq,
+					  struct device *dev)
+{
+#if defined(GLOSS_HAVE_SCHED_INIT_ARGS)
+	const struct drm_sched_init_args args = {
+		.ops = ops,
+		.credit_limit = ahead,
+		.timeout = timeout,
+		.timeout_wq = wq,
+		.name = "gloss",
+		.dev = dev,
+	};
+
+	return drm_sched_init(sched, &args);
+#elif defined(GLOSS_HAVE_SCHED_INIT_SUBMIT_WQ)
+	return drm_sched_init(sched, ops, NULL, DRM_SCHED_PRIORITY_COUNT, ahead, 0, timeout, wq,
+			      NULL, "gloss", dev);
+#elif defined(GLOSS_HAVE_SCHED_INIT_NUM_RQS)
+	return drm_sched_init(sched, ops, DRM_SCHED_PRIORITY_COUNT, ahead, 0, timeout, wq, NULL,
+			      "gloss", dev);
+#else
+	return drm_sched_init(sched, ops, ahead, 0, timeout, wq, NULL, "gloss", dev);
+#endif
+}
+
+static inline int gloss_compat_sched_job_init(struct drm_sched_job *job,
+					      struct drm_sched_entity *entity, void *owner)
+{
+#ifdef GLOSS_HAVE_SCHED_JOB_CREDITS
+	return drm_sched_job_init(job, entity, 1, owner);
+#else
+	return drm_sched_job_init(job, entity, owner);
+#endif
+}
+
+#endif
