@@ -33,7 +33,7 @@ $(MODULE_BUILD)/kdir: FORCE
 	@echo $(KDIR) | cmp -s - $@ || echo $(KDIR) >$@
 
 # Not Kbuild's modules_install, which misses a signing key and System.map of Debian's headers.
-KRELEASE = $(shell cat $(KDIR)/include/config/kernel.release)
+KRELEASE = $(shell $(MAKE) -s -C $(KDIR) kernelrelease)
 
 install-module: $(MODULE) ## install gloss.ko for the kernel of KDIR (DESTDIR)
 	$(Q)install -D -m 644 $< $(DESTDIR)/lib/modules/$(KRELEASE)/updates/gloss.ko
