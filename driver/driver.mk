@@ -33,7 +33,7 @@ $(MODULE_BUILD)/kdir: FORCE
 	@echo $(KDIR) | cmp -s - $@ || echo $(KDIR) >$@
 
 # Not Kbuild's modules_install, which misses a signing key and System.map of Debian's headers.
-KRELEASE = $(shell $(MAKE) -s -C $(KDIR) kernelrelease)
+KRELEASE = $(shell cut -s -d\" -f2 $(KDIR)/include/generated/utsrelease.h)
 
 install-module: $(MODULE) ## install gloss.ko for the kernel of KDIR (DESTDIR)
 	$(Q)install -D -m 644 $< $(DESTDIR)/lib/modules/$(KRELEASE)/updates/gloss.ko
