@@ -13,7 +13,8 @@ lint-rtl: ## verilator -Wall on the core, at several parameters
 			-GTileSize=$$1 -GPixelsPerClock=$$2 -GStreamBits=$$3 $(RTL_SOURCES) || exit 1; \
 	done
 
-LINT_SOURCES = $(sort $(wildcard libaccel/*.c libaccel/model/*.c tools/*.c examples/*.c))
+LINT_SOURCES = $(sort $(wildcard libaccel/*.c libaccel/model/*.c tools/*.c \
+	tools/vboard/*.c examples/*.c))
 LINT_FLAGS = -std=gnu11 -Ilibaccel -Itools $(LINT_C)
 
 lint-tidy: check-generated ## clang-tidy on the C sources
@@ -25,7 +26,8 @@ lint-tidy: check-generated ## clang-tidy on the C sources
 lint-cppcheck: check-generated ## cppcheck on the C sources
 	$(call quiet,CPPCHECK,libaccel tools)
 	$(Q)cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-		--error-exitcode=1 -Ilibaccel -Itools --suppress=missingIncludeSystem $(LINT_SOURCES)
+		--error-exitcode=1 -Ilibaccel -Itools -Idriver --suppress=missingIncludeSystem \
+		$(LINT_SOURCES)
 
 LINTS += lint-rtl lint-tidy lint-cppcheck
 

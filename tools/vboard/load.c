@@ -83,7 +83,7 @@ int vboard_load(struct vboard_loaded *loaded, const char *name, uint32_t tile,
 	loaded->plugin = NULL;
 	if (!strcmp(name, "rtl"))
 		return load_plugin(loaded, tile, lanes, error);
-	if (strcmp(name, "model")) {
+	if (strcmp(name, "model") != 0) {
 		accel_transport_say(error, "no engine \"%s\": give model or rtl", name);
 		return -EINVAL;
 	}
