@@ -87,8 +87,11 @@ static int node_check(int fd, const char *path, struct accel_transport_error *er
 	drmVersionPtr version = drmGetVersion(fd);
 	int err = 0;
 
+	if (!version && errno == ENOMEM)
+		return -ENOMEM;
 	if (!version) {
-		accel_transport_say(error, "%s is no DRM node", path);
+		accel_transport_say(error, errno == ENODEV ? "the board of %s is gone" :
+				    "%s is no DRM node", path);
 		return -ENODEV;
 	}
 	if (strcmp(version->name, DRIVER) != 0) {
@@ -140,9 +143,12 @@ static const char *node_next(const drmDevicePtr *device, int devices, const char
 	int i;
 
 	for (i = 0; i < devices; i++) {
-		const char *node = device[i]->nodes[DRM_NODE_RENDER];
+		const char *node;
 
-		if (!(device[i]->available_nodes & 1 << DRM_NODE_RENDER) || !node_is_ours(node))
+		if (!(device[i]->available_nodes & 1 << DRM_NODE_RENDER))
+			continue;
+		node = device[i]->nodes[DRM_NODE_RENDER];
+		if (!node_is_ours(node))
 			continue;
 		if (strverscmp(node, last) > 0 && (!next || strverscmp(node, next) < 0))
 			next = node;

@@ -2,8 +2,7 @@
 # The library, shared and static. Lists of objects come from model.mk and draw.mk.
 
 # "drm:" takes libdrm; without it the library says so when it is asked for a PCI board.
-DRM_PACKAGE := libdrm >= 2.4.99
-ifeq ($(shell pkg-config --exists '$(DRM_PACKAGE)' 2>/dev/null && echo yes),yes)
+ifeq ($(shell pkg-config --exists 'libdrm >= 2.4.99' 2>/dev/null && echo yes),yes)
 DRM_SOURCES := transport_drm.c drm_node.c drm_pool.c
 DRM_CFLAGS := -Idriver $(shell pkg-config --cflags libdrm)
 DRM_LIBS := $(shell pkg-config --libs libdrm)
@@ -83,7 +82,8 @@ install-lib: lib $(ACCEL_SIMS)
 	$(Q)install -m 644 $(BUILD)/libaccel.a $(DESTDIR)$(LIBDIR)
 	$(Q)sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' \
 		-e 's|@VERSION@|$(ACCEL_VERSION)|' \
-		-e 's|@REQUIRES@|$(if $(DRM_LIBS),$(DRM_PACKAGE))|' libaccel/libaccel.pc.in >$(DESTDIR)$(LIBDIR)/pkgconfig/libaccel.pc
+		-e 's|@LIBS@|$(ACCEL_LIBS)|' libaccel/libaccel.pc.in \
+		>$(DESTDIR)$(LIBDIR)/pkgconfig/libaccel.pc
 	$(Q)$(if $(ACCEL_SIMS),install -m 755 $(ACCEL_SIMS) $(DESTDIR)$(LIBDIR)/gloss)
 INSTALLS += install-lib
 

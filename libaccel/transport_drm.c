@@ -5,6 +5,7 @@
  * device is point n of its one timeline syncobj.
  */
 #include <errno.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,6 +59,17 @@ static int drm_param(int fd, enum drm_gloss_param param, uint64_t *value)
 	return err;
 }
 
+/* With its path, if there is room for it. */
+static void drm_name(struct accel_transport_info *info, const char *path)
+{
+	const int room = sizeof(info->name);
+
+	if (snprintf(info->name, room, "Gloss PCI board %s, %u-pixel tiles, %u lanes", path,
+		     info->tile_size, info->pixels_per_clock) >= room)
+		snprintf(info->name, room, "Gloss PCI board, %u-pixel tiles, %u lanes",
+			 info->tile_size, info->pixels_per_clock);
+}
+
 static int drm_identify(struct transport_drm *transport, const char *path)
 {
 	const enum drm_gloss_param params[] = {
@@ -82,8 +94,7 @@ static int drm_identify(struct transport_drm *transport, const char *path)
 		.memory_size = value[3],
 	};
 	transport->words_max = value[4];
-	snprintf(info->name, sizeof(info->name), "Gloss PCI board %s, %u-pixel tiles, %u lanes",
-		 path, info->tile_size, info->pixels_per_clock);
+	drm_name(info, path);
 	return 0;
 }
 
@@ -91,7 +102,7 @@ static int transport_drm_open(const char *where, void **state,
 			      struct accel_transport_error *error)
 {
 	struct transport_drm *transport = calloc(1, sizeof(*transport));
-	char path[sizeof(transport->info.name)];
+	char path[PATH_MAX];
 	int err;
 
 	if (!transport)

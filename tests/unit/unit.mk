@@ -18,8 +18,27 @@ ACCEL_UNIT_TESTS := test_range test_option test_engine test_device test_buffer t
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
 
 comma := ,
-$(BUILD)/tests/unit/test_out_of_memory: UNIT_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, \
+OUT_OF_MEMORY_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, \
 	malloc calloc realloc free mmap munmap pthread_create pthread_join)
+$(BUILD)/tests/unit/test_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
+
+# A kernel with the gloss module, for tests of "drm:"; without libdrm there is nothing to test.
+ifneq ($(DRM_LIBS),)
+DRM_TESTS := test_transport_drm test_transport_drm_open test_transport_drm_out_of_memory
+FAKE_GLOSS_OBJS := $(addprefix $(BUILD)/tests/unit/,fake_gloss.o fake_gloss_job.o fake_gloss_node.o)
+$(FAKE_GLOSS_OBJS): $(BUILD)/%.o: %.c
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(DRM_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
+FAKE_GLOSS_LDFLAGS := $(FAKE_GLOSS_OBJS) $(addprefix -Wl$(comma)--wrap=, \
+	open close stat access readlink drmGetDevices2 drmFreeDevices)
+$(DRM_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_GLOSS_OBJS)
+$(DRM_TESTS:%=$(BUILD)/tests/unit/%): ACCEL_CFLAGS += $(DRM_CFLAGS)
+$(DRM_TESTS:%=$(BUILD)/tests/unit/%): UNIT_LDFLAGS := $(FAKE_GLOSS_LDFLAGS)
+$(BUILD)/tests/unit/test_transport_drm_out_of_memory: UNIT_LDFLAGS += $(OUT_OF_MEMORY_LDFLAGS)
+ACCEL_UNIT_TESTS += $(DRM_TESTS)
+UNIT_TESTS += $(DRM_TESTS)
+endif
 
 # Plugins without a core: one that is right, and some that are wrong in one thing each.
 FAKE_SIM_DIR := $(BUILD)/tests/unit/fake-sim
@@ -60,7 +79,8 @@ unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
 		CFLAGS='-O1 -g -fsanitize=thread' $(ACCEL_UNIT_TESTS:%=run-%)
 
-VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim
+VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim \
+	$(filter-out %_out_of_memory,$(DRM_TESTS))
 unit-valgrind: $(VALGRIND_TESTS:%=$(BUILD)/tests/unit/%) $(FAKE_SIMS)
 	$(Q)for test in $(VALGRIND_TESTS); do \
 		FAKE_SIM_PATH=$(FAKE_SIM_DIR) valgrind -q --error-exitcode=1 --leak-check=full \

@@ -1,0 +1,668 @@
+/* SPDX-License-Identifier: MIT */
+/* Jobs through the kernel module, on the kernel of fake_gloss.h. */
+#include <pthread.h>
+#include <time.h>
+#include <unistd.h>
+#include <xf86drm.h>
+
+#include "accel_test.h"
+#include "fake_gloss.h"
+#include "gloss_drm.h"
+#include "transport.h"
+
+#define PAGE_WORDS 1024u
+#define UNUSED_BYTES (32u << 20)
+#define UNUSED_BUFFERS 256
+
+#define GLOSS(name) (DRM_COMMAND_BASE + DRM_GLOSS_##name)
+
+static const struct accel_transport_ops *const ops = &accel_transport_drm;
+
+static int setup(void **state)
+{
+	struct accel_transport_error error = { "" };
+
+	fake_gloss_start();
+	return ops->open("", state, &error);
+}
+
+/* Nothing may be left that the kernel would have to tidy up. */
+static int teardown(void **state)
+{
+	fake_gloss_release();
+	ops->close(*state);
+	assert_int_equal(fake_gloss.files, 0);
+	assert_int_equal(fake_gloss.left, 0);
+	assert_int_equal(fake_gloss_mappings(), 0);
+	fake_gloss_stop();
+	return 0;
+}
+
+static uint64_t submit(void *state, const struct accel_transport_job *job)
+{
+	uint64_t sequence;
+
+	assert_int_equal(ops->submit(state, job, &sequence), 0);
+	return sequence;
+}
+
+static uint64_t submit_empty(void *state)
+{
+	const struct accel_transport_job job = { .stream_words = 0 };
+
+	return submit(state, &job);
+}
+
+static int wait_for(void *state, uint64_t sequence, struct gloss_status *status)
+{
+	*status = (struct gloss_status){ GLOSS_FAULT_SLOT, 99, 99 };
+	return ops->wait(state, sequence, -1, status);
+}
+
+static void run(void *state, const struct accel_transport_job *job, struct gloss_status *status)
+{
+	assert_int_equal(wait_for(state, submit(state, job), status), 0);
+}
+
+static void run_empty(void *state)
+{
+	struct gloss_status status;
+
+	assert_int_equal(wait_for(state, submit_empty(state), &status), 0);
+	assert_int_equal(status.cause, GLOSS_FAULT_NONE);
+	assert_int_equal(status.offset, 0);
+	assert_int_equal(status.response_words, 0);
+}
+
+/* ---- what a job is ---- */
+
+static void a_job_takes_two_ioctls(void **state)
+{
+	uint32_t stream[3000] = { 0 }, response[500];
+	const struct accel_transport_job job = {
+		.stream = stream, .stream_words = 3000,
+		.response = response, .response_words = 500,
+	};
+	struct gloss_status status;
+	unsigned int ioctls;
+
+	run(*state, &job, &status);
+	ioctls = fake_gloss.ioctls;
+	for (int i = 0; i < 10; i++)
+		run(*state, &job, &status);
+	assert_int_equal(fake_gloss.ioctls - ioctls, 20);
+	assert_int_equal(fake_gloss.submits, 11);
+	assert_int_equal(fake_gloss.waits, 11);
+	assert_int_equal(fake_gloss.creates, 1);
+}
+
+/* Writes @count words in one job and reads them in another; NOPs make the streams odd. */
+static void copy_words(void *state, uint64_t object, uint64_t *seed, uint32_t count)
+{
+	const struct accel_transport_slot slot = { object, GLOSS_RIGHTS_READ_WRITE };
+	struct gloss_write_memory write = { .slot = 0 };
+	uint32_t nops = test_below(seed, 2000), stream[2000 + 3 + PAGE_WORDS] = { 0 };
+	uint32_t response[PAGE_WORDS + 8], *data = stream + nops + 3;
+	struct accel_transport_job job = { .stream = stream, .slot = &slot, .slots = 1 };
+	struct gloss_status status;
+
+	gloss_write_memory_pack(stream + nops, &write, 2 + count);
+	for (uint32_t i = 0; i < count; i++)
+		data[i] = (uint32_t)test_random(seed);
+	job.stream_words = nops + 3 + count;
+	run(state, &job, &status);
+	assert_int_equal(status.cause, GLOSS_FAULT_NONE);
+	assert_int_equal(status.offset, job.stream_words);
+
+	memset(response, 0x5a, sizeof(response));
+	packet_read(stream, 0, 0, count);
+	job.stream_words = 3;
+	job.response = response;
+	job.response_words = count + test_below(seed, 5);
+	run(state, &job, &status);
+	assert_int_equal(status.response_words, count);
+	assert_memory_equal(response, data, 4 * count);
+	for (uint32_t i = count; i < PAGE_WORDS + 8; i++)
+		assert_int_equal(response[i], 0x5a5a5a5a);
+}
+
+static void words_of_any_count_arrive(void **state)
+{
+	static const uint32_t counts[] = { 1, 2, 3, 509, 1000, 1019, 1020 };
+	uint64_t object, seed = test_seed();
+
+	assert_int_equal(ops->memory_new(*state, 4 * PAGE_WORDS, &object), 0);
+	for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++)
+		copy_words(*state, object, &seed, counts[i]);
+	for (int i = 0; i < 40; i++)
+		copy_words(*state, object, &seed, 1 + test_below(&seed, 1020));
+	ops->memory_free(*state, object);
+}
+
+static enum gloss_fault access_at(void *state, const struct accel_transport_slot *slot,
+				  uint32_t offset, bool write)
+{
+	uint32_t stream[4], response;
+	const struct accel_transport_job job = {
+		.stream = stream,
+		.stream_words = (uint32_t)(write ? packet_write(stream, 0, offset, 7) :
+						   packet_read(stream, 0, offset, 1)),
+		.response = &response, .response_words = 1,
+		.slot = slot, .slots = 1,
+	};
+	struct gloss_status status;
+
+	run(state, &job, &status);
+	return status.cause;
+}
+
+static void a_slot_is_as_large_as_was_asked_for_and_has_its_rights(void **state)
+{
+	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ };
+	static const enum gloss_fault none = GLOSS_FAULT_NONE, fault = GLOSS_FAULT_SLOT;
+
+	assert_int_equal(ops->memory_new(*state, 12, &slot.object), 0);
+	assert_int_equal(access_at(*state, &slot, 8, false), none);
+	assert_int_equal(access_at(*state, &slot, 12, false), fault);
+	assert_int_equal(access_at(*state, &slot, 8, true), fault);
+	slot.rights = GLOSS_RIGHTS_WRITE;
+	assert_int_equal(access_at(*state, &slot, 8, false), fault);
+	assert_int_equal(access_at(*state, &slot, 8, true), none);
+	slot.rights = GLOSS_RIGHTS_NONE;
+	assert_int_equal(access_at(*state, &slot, 8, false), fault);
+	assert_int_equal(access_at(*state, &slot, 8, true), fault);
+	ops->memory_free(*state, slot.object);
+}
+
+static void a_fault_is_no_error_of_wait(void **state)
+{
+	const uint32_t stream[] = { 0, 0, 0xff000000, 0 };
+	const struct accel_transport_job job = { .stream = stream, .stream_words = 4 };
+	struct gloss_status status;
+
+	run(*state, &job, &status);
+	assert_int_equal(status.cause, GLOSS_FAULT_OPCODE);
+	assert_int_equal(status.offset, 2);
+	run_empty(*state);
+}
+
+static void what_is_no_job_is_refused(void **state)
+{
+	const struct accel_transport_slot unknown = { 1234ull | 4096ull << 32, GLOSS_RIGHTS_READ };
+	const struct accel_transport_job jobs[] = {
+		{ .stream_words = FAKE_WORDS_MAX + 1 },
+		{ .response_words = FAKE_WORDS_MAX + 1 },
+		{ .slots = GLOSS_SLOTS + 1 },
+		{ .slot = &unknown, .slots = 1 },
+	};
+	uint64_t sequence;
+
+	for (size_t i = 0; i < sizeof(jobs) / sizeof(jobs[0]); i++)
+		assert_int_equal(ops->submit(*state, &jobs[i], &sequence), -EINVAL);
+	assert_int_equal(fake_gloss.submits, 0);
+	run_empty(*state);
+}
+
+static void jobs_run_in_the_order_of_their_submission(void **state)
+{
+	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ_WRITE };
+	uint32_t stream[4], response = 0;
+	struct accel_transport_job job = { .stream = stream, .slot = &slot, .slots = 1 };
+	struct gloss_status status;
+	uint64_t sequence[100];
+
+	assert_int_equal(ops->memory_new(*state, 4, &slot.object), 0);
+	fake_gloss_hold();
+	for (uint32_t i = 0; i < 100; i++) {
+		job.stream_words = (uint32_t)packet_write(stream, 0, 0, i);
+		sequence[i] = submit(*state, &job);
+	}
+	fake_gloss_release();
+	job.stream_words = (uint32_t)packet_read(stream, 0, 0, 1);
+	job.response = &response;
+	job.response_words = 1;
+	run(*state, &job, &status);
+	assert_int_equal(response, 99);
+	for (uint32_t i = 0; i < 100; i++)
+		assert_int_equal(wait_for(*state, sequence[(37 * i) % 100], &status), 0);
+	ops->memory_free(*state, slot.object);
+}
+
+/* ---- board memory ---- */
+
+static void board_memory_runs_out_and_comes_back(void **state)
+{
+	uint64_t object[3];
+
+	assert_int_equal(ops->memory_new(*state, FAKE_BOARD_BYTES / 2, &object[0]), 0);
+	assert_int_equal(ops->memory_new(*state, FAKE_BOARD_BYTES / 2, &object[1]), 0);
+	assert_int_equal(ops->memory_new(*state, 4, &object[2]), -ENOMEM);
+	assert_int_equal(ops->memory_new(*state, 1ull << 31, &object[2]), -ENOMEM);
+	ops->memory_free(*state, object[1]);
+	assert_int_equal(ops->memory_new(*state, 4, &object[2]), 0);
+	ops->memory_free(*state, object[0]);
+	ops->memory_free(*state, object[2]);
+}
+
+/* ---- waiting ---- */
+
+static int64_t now_ns(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return now.tv_sec * 1000000000ll + now.tv_nsec;
+}
+
+static void a_wait_for_a_running_job_times_out(void **state)
+{
+	struct gloss_status status;
+	int64_t before;
+	uint64_t sequence;
+
+	fake_gloss_hold();
+	sequence = submit_empty(*state);
+	assert_int_equal(ops->wait(*state, sequence, 0, &status), -ETIMEDOUT);
+	before = now_ns();
+	assert_int_equal(ops->wait(*state, sequence, 20000000, &status), -ETIMEDOUT);
+	assert_true(now_ns() - before >= 20000000);
+	fake_gloss_release();
+	assert_int_equal(ops->wait(*state, sequence, INT64_MAX, &status), 0);
+}
+
+static void a_job_is_waited_for_once(void **state)
+{
+	struct gloss_status status;
+	uint64_t sequence = submit_empty(*state);
+
+	assert_int_equal(wait_for(*state, sequence, &status), 0);
+	assert_int_equal(ops->wait(*state, sequence, -1, &status), -EINVAL);
+	assert_int_equal(ops->wait(*state, sequence + 1, -1, &status), -EINVAL);
+	run_empty(*state);
+}
+
+struct waiter {
+	pthread_t thread;
+	void *state;
+	uint64_t sequence;
+	int err;
+};
+
+static void *wait_in_thread(void *data)
+{
+	struct waiter *waiter = data;
+	struct gloss_status status;
+
+	waiter->err = ops->wait(waiter->state, waiter->sequence, -1, &status);
+	return NULL;
+}
+
+static void start_waiters(void *state, struct waiter *waiter, int count)
+{
+	for (int i = 0; i < count; i++) {
+		waiter[i] = (struct waiter){ .state = state, .sequence = submit_empty(state) };
+		assert_int_equal(pthread_create(&waiter[i].thread, NULL, wait_in_thread,
+						&waiter[i]), 0);
+	}
+}
+
+static void join_waiters(struct waiter *waiter, int count, int err)
+{
+	for (int i = 0; i < count; i++) {
+		pthread_join(waiter[i].thread, NULL);
+		assert_int_equal(waiter[i].err, err);
+	}
+}
+
+static void many_threads_wait_while_another_submits(void **state)
+{
+	struct waiter waiter[16];
+
+	fake_gloss_hold();
+	start_waiters(*state, waiter, 8);
+	fake_gloss_release();
+	start_waiters(*state, waiter + 8, 8);
+	for (int i = 0; i < 100; i++)
+		run_empty(*state);
+	join_waiters(waiter, 16, 0);
+}
+
+/* ---- failures of the board ---- */
+
+static void a_lost_job_fails_alone(void **state)
+{
+	static const struct {
+		int error, answer;
+	} lost[] = {
+		{ -EIO, -EIO }, { -ENODEV, -ENODEV }, { -ECANCELED, -ENODEV }, { -EPROTO, -EIO },
+	};
+	struct gloss_status status;
+	uint64_t sequence[3];
+
+	for (size_t i = 0; i < sizeof(lost) / sizeof(lost[0]); i++) {
+		fake_gloss_lose(1, lost[i].error);
+		for (int j = 0; j < 3; j++)
+			sequence[j] = submit_empty(*state);
+		assert_int_equal(wait_for(*state, sequence[0], &status), 0);
+		assert_int_equal(wait_for(*state, sequence[1], &status), lost[i].answer);
+		assert_int_equal(status.cause, GLOSS_FAULT_NONE);
+		assert_int_equal(wait_for(*state, sequence[2], &status), 0);
+	}
+}
+
+static void an_unplugged_board_ends_every_wait_and_call(void **state)
+{
+	struct gloss_status status;
+	struct waiter waiter[8];
+	uint64_t object, later;
+	const struct accel_transport_job job = { .stream_words = 0 };
+
+	assert_int_equal(ops->memory_new(*state, 4096, &object), 0);
+	fake_gloss_hold();
+	start_waiters(*state, waiter, 8);
+	later = submit_empty(*state);
+	usleep(10000);
+	fake_gloss_unplug();
+	join_waiters(waiter, 8, -ENODEV);
+	assert_int_equal(wait_for(*state, later, &status), -ENODEV);
+	assert_int_equal(status.cause, GLOSS_FAULT_NONE);
+	assert_int_equal(ops->submit(*state, &job, &later), -ENODEV);
+	assert_int_equal(ops->memory_new(*state, 4096, &object), -ENODEV);
+	ops->memory_free(*state, object);
+	ops->close(*state);
+	assert_int_equal(fake_gloss.files, 0);
+	assert_int_equal(fake_gloss_mappings(), 0);
+	fake_gloss_stop();
+	assert_int_equal(setup(state), 0);
+}
+
+/* ---- the pool ---- */
+
+static void run_many(void *state, int jobs, uint32_t words)
+{
+	uint32_t *response = calloc(words + 1, 4);
+	const struct accel_transport_job job = { .response = response, .response_words = words };
+	struct gloss_status status;
+	uint64_t *sequence = calloc((size_t)jobs, sizeof(*sequence));
+
+	fake_gloss_hold();
+	for (int i = 0; i < jobs; i++)
+		sequence[i] = submit(state, &job);
+	fake_gloss_release();
+	for (int i = 0; i < jobs; i++)
+		assert_int_equal(wait_for(state, sequence[i], &status), 0);
+	free(sequence);
+	free(response);
+}
+
+static void unused_memory_is_bounded(void **state)
+{
+	unsigned int creates;
+
+	run_many(*state, 300, 0);
+	assert_int_equal(fake_gloss.creates, 300);
+	assert_int_equal(fake_gloss.handles, UNUSED_BUFFERS);
+	run_many(*state, 12, (4u << 20) / 4);
+	assert_true(fake_gloss.host_bytes <= UNUSED_BYTES);
+	assert_true(fake_gloss.host_bytes >= UNUSED_BYTES / 2);
+	creates = fake_gloss.creates;
+	run_many(*state, 4, (4u << 20) / 4);
+	assert_int_equal(fake_gloss.creates, creates);
+}
+
+static void jobs_of_about_the_same_size_share(void **state)
+{
+	run_many(*state, 1, 3 * PAGE_WORDS);
+	run_many(*state, 1, 3 * PAGE_WORDS - 1);
+	run_many(*state, 1, 2 * PAGE_WORDS + 1);
+	assert_int_equal(fake_gloss.creates, 1);
+	run_many(*state, 1, 3 * PAGE_WORDS + 1);
+	assert_int_equal(fake_gloss.creates, 2);
+}
+
+static void a_job_larger_than_the_pool_takes_no_more_than_it_needs(void **state)
+{
+	uint32_t *stream = calloc(FAKE_WORDS_MAX, 4), *response = calloc(FAKE_WORDS_MAX, 4);
+	const struct accel_transport_job job = {
+		.stream = stream, .stream_words = FAKE_WORDS_MAX,
+		.response = response, .response_words = FAKE_WORDS_MAX,
+	};
+	struct gloss_status status;
+	uint64_t sequence;
+
+	run_empty(*state);
+	sequence = submit(*state, &job);
+	assert_int_equal(fake_gloss.host_bytes, 4096 + 4096 + 8ull * FAKE_WORDS_MAX);
+	assert_int_equal(wait_for(*state, sequence, &status), 0);
+	assert_int_equal(status.offset, FAKE_WORDS_MAX);
+	assert_int_equal(fake_gloss.host_bytes, 4096);
+	free(stream);
+	free(response);
+}
+
+static void the_pool_gives_way_when_memory_is_short(void **state)
+{
+	run_many(*state, 8, 0);
+	assert_int_equal(fake_gloss.handles, 8);
+	fake_gloss.fail_request = GLOSS(GEM_CREATE);
+	fake_gloss.fail_errno = ENOMEM;
+	fake_gloss.fail_at = 1;
+	run_many(*state, 1, PAGE_WORDS);
+	assert_int_equal(fake_gloss.handles, 1);
+}
+
+/* ---- errors of the kernel ---- */
+
+/* A life with every call; its first error. */
+static int live(void *state)
+{
+	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_WRITE };
+	uint32_t stream[4], response;
+	const struct accel_transport_job job = {
+		.stream = stream, .stream_words = (uint32_t)packet_write(stream, 0, 0, 3),
+		.response = &response, .response_words = 1, .slot = &slot, .slots = 1,
+	};
+	struct gloss_status status;
+	uint64_t sequence;
+	int err;
+
+	err = ops->memory_new(state, 4096, &slot.object);
+	if (err)
+		return err;
+	err = ops->submit(state, &job, &sequence);
+	if (!err)
+		err = ops->wait(state, sequence, -1, &status);
+	ops->memory_free(state, slot.object);
+	return err;
+}
+
+static void fail_one(void **state, unsigned int request, unsigned int at, int error, int answer)
+{
+	ops->close(*state);
+	fake_gloss_stop();
+	assert_int_equal(setup(state), 0);
+	fake_gloss.fail_request = request;
+	fake_gloss.fail_errno = error;
+	fake_gloss.fail_at = at;
+	if (live(*state) != answer)
+		fail_msg("call %u of ioctl %#x failed with %s, and the answer was not %s", at,
+			 request, strerror(error), strerror(-answer));
+	assert_int_equal(fake_gloss.fail_at, 0);
+	assert_int_equal(live(*state), 0);
+}
+
+static void every_answer_of_every_ioctl_is_told(void **state)
+{
+	static const struct {
+		int error, answer;
+	} errors[] = {
+		{ EINTR, 0 }, { EAGAIN, 0 }, { ENOMEM, -ENOMEM }, { ENODEV, -ENODEV },
+		{ EINVAL, -EINVAL }, { ENOENT, -EINVAL }, { ENOSPC, -ENOMEM }, { EFAULT, -EIO },
+		{ EACCES, -EIO }, { E2BIG, -EIO },
+	};
+	/* The first object is in board memory, the second in host memory. */
+	static const struct {
+		unsigned int number, at;
+	} calls[] = {
+		{ GLOSS(GEM_CREATE), 1 }, { GLOSS(GEM_CREATE), 2 }, { GLOSS(GEM_MMAP_OFFSET), 1 },
+		{ GLOSS(SUBMIT), 1 }, { _IOC_NR(DRM_IOCTL_SYNCOBJ_TIMELINE_WAIT), 1 },
+	};
+
+	for (size_t i = 0; i < sizeof(errors) / sizeof(errors[0]); i++)
+		for (size_t j = 0; j < sizeof(calls) / sizeof(calls[0]); j++)
+			fail_one(state, calls[j].number, calls[j].at, errors[i].error,
+				 errors[i].answer);
+}
+
+static void a_job_that_the_kernel_refused_has_no_number(void **state)
+{
+	uint64_t sequence, first = submit_empty(*state);
+	const struct accel_transport_job job = { .stream_words = 0 };
+	struct gloss_status status;
+
+	fake_gloss.fail_request = GLOSS(SUBMIT);
+	fake_gloss.fail_errno = ENOMEM;
+	fake_gloss.fail_at = 1;
+	assert_int_equal(ops->submit(*state, &job, &sequence), -ENOMEM);
+	assert_int_equal(submit_empty(*state), first + 1);
+	assert_int_equal(wait_for(*state, first, &status), 0);
+	assert_int_equal(wait_for(*state, first + 1, &status), 0);
+}
+
+/* The kernel may still write to it, so it is not for another job. */
+static void the_memory_of_a_job_whose_wait_failed_is_not_used_again(void **state)
+{
+	struct gloss_status status;
+	uint64_t sequence;
+
+	fake_gloss_hold();
+	sequence = submit_empty(*state);
+	fake_gloss.fail_request = _IOC_NR(DRM_IOCTL_SYNCOBJ_TIMELINE_WAIT);
+	fake_gloss.fail_errno = ENOMEM;
+	fake_gloss.fail_at = 1;
+	assert_int_equal(wait_for(*state, sequence, &status), -ENOMEM);
+	assert_int_equal(fake_gloss.handles, 0);
+	fake_gloss_release();
+	run_empty(*state);
+	assert_int_equal(fake_gloss.creates, 2);
+}
+
+/* ---- the library on it ---- */
+
+#define THREADS 4
+
+static void *share_device(void *data)
+{
+	struct accel_device *device = data;
+	struct accel_buffer *buffer;
+	uint64_t seed = (uint64_t)(uintptr_t)&buffer;
+	uint32_t words[64], back[64];
+
+	for (int round = 0; round < 100; round++) {
+		if (accel_buffer_new(device, sizeof(words), &buffer))
+			return "no buffer";
+		if (accel_buffer_read(buffer, 0, back, sizeof(back)))
+			return "no read";
+		for (int i = 0; i < 64; i++) {
+			words[i] = (uint32_t)test_random(&seed);
+			if (back[i])
+				return "a new buffer is not zero";
+		}
+		if (accel_buffer_write(buffer, 0, words, sizeof(words)) ||
+		    accel_buffer_read(buffer, 0, back, sizeof(back)))
+			return "no copy";
+		if (memcmp(words, back, sizeof(words)) != 0)
+			return "another's words";
+		accel_buffer_free(buffer);
+	}
+	return NULL;
+}
+
+static void threads_share_a_device(void **state)
+{
+	pthread_t thread[THREADS];
+	struct accel_device *device;
+	struct messages messages;
+	void *wrong;
+
+	(void)state;
+	device = device_open("drm:", &messages);
+	for (int i = 0; i < THREADS; i++)
+		assert_int_equal(pthread_create(&thread[i], NULL, share_device, device), 0);
+	for (int i = 0; i < THREADS; i++) {
+		pthread_join(thread[i], &wrong);
+		if (wrong)
+			fail_msg("%s", (const char *)wrong);
+	}
+	accel_device_free(device);
+	assert_int_equal(messages.count, 0);
+}
+
+/* As examples/triangle.c does. */
+static void draw(const char *name, uint32_t pixel[64 * 64])
+{
+	static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 },
+					    { 0, 0.9f, 0 } };
+	static const float colour[3][4] = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 } };
+	static const struct accel_mesh mesh = { .vertices = 3, .position = corner,
+						.colour = colour };
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_state *state;
+	struct messages messages;
+	struct accel_draw *draw;
+
+	device = device_open(name, &messages);
+	assert_int_equal(accel_draw_new(device, &draw), 0);
+	assert_int_equal(accel_target_new(device, 64, 64, &target), 0);
+	assert_int_equal(accel_state_new(&state), 0);
+	assert_int_equal(accel_draw_mesh(draw, target, state, &mesh), 0);
+	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	assert_int_equal(accel_target_read_colour(target, pixel, 64 * 4), 0);
+	accel_draw_free(draw);
+	accel_state_free(state);
+	accel_target_free(target);
+	accel_device_free(device);
+}
+
+static void a_picture_is_that_of_the_model(void **state)
+{
+	uint32_t pixel[64 * 64], model[64 * 64];
+
+	(void)state;
+	draw("drm:/dev/dri/renderD128", pixel);
+	draw("model:", model);
+	assert_memory_equal(pixel, model, sizeof(pixel));
+	assert_int_not_equal(pixel[32 * 64 + 32], 0);
+}
+
+#define drm_test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		drm_test(a_job_takes_two_ioctls),
+		drm_test(words_of_any_count_arrive),
+		drm_test(a_slot_is_as_large_as_was_asked_for_and_has_its_rights),
+		drm_test(a_fault_is_no_error_of_wait),
+		drm_test(what_is_no_job_is_refused),
+		drm_test(jobs_run_in_the_order_of_their_submission),
+		drm_test(board_memory_runs_out_and_comes_back),
+		drm_test(a_wait_for_a_running_job_times_out),
+		drm_test(a_job_is_waited_for_once),
+		drm_test(many_threads_wait_while_another_submits),
+		drm_test(a_lost_job_fails_alone),
+		drm_test(an_unplugged_board_ends_every_wait_and_call),
+		drm_test(unused_memory_is_bounded),
+		drm_test(jobs_of_about_the_same_size_share),
+		drm_test(a_job_larger_than_the_pool_takes_no_more_than_it_needs),
+		drm_test(the_pool_gives_way_when_memory_is_short),
+		drm_test(every_answer_of_every_ioctl_is_told),
+		drm_test(a_job_that_the_kernel_refused_has_no_number),
+		drm_test(the_memory_of_a_job_whose_wait_failed_is_not_used_again),
+		drm_test(threads_share_a_device),
+		drm_test(a_picture_is_that_of_the_model),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
