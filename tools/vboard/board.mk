@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The C model of the port, and the board that is made of it and the core's model.
+# The C model of the port, the board that is made of it and the core's model, and their tests.
 
 BOARD_MODEL_OBJECTS := $(addprefix $(BUILD)/tools/vboard/,port_dma.o port_pci.o board_model.o)
 
@@ -10,3 +10,23 @@ $(BOARD_MODEL_OBJECTS): $(BUILD)/%.o: %.c
 
 -include $(BOARD_MODEL_OBJECTS:.o=.d)
 
+# A host for boards, as the tests need one.
+PORT_HOST_OBJ := $(BUILD)/tests/port/port_host.o
+$(PORT_HOST_OBJ): $(BUILD)/%.o: %.c
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -MMD -MP -c $< -o $@
+
+-include $(PORT_HOST_OBJ:.o=.d)
+
+BOARD_UNIT_TESTS := test_port_pci test_board_model
+
+$(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c \
+		$(PORT_HOST_OBJ) $(BOARD_MODEL_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard -Itests/port -Itests/stream $(CFLAGS) \
+		-MMD -MP -MF $@.d $(filter-out %.h,$^) -lcmocka -o $@
+
+UNIT_TESTS += $(BOARD_UNIT_TESTS)
+SANITIZED_TESTS += $(BOARD_UNIT_TESTS)
