@@ -66,10 +66,13 @@ struct accel_device_info {
 typedef void (*accel_message_fn)(void *data, const char *message);
 
 /*
- * Opens the board called @name: "model:" (the C model, in this process),
- * "sim:" (the Verilated RTL, in this process) or "auto" (the first that
- * opens; also for NULL). The colon may be left out if nothing follows. Options
- * follow it, separated by commas:
+ * Opens the board called @name: "drm:" (a PCI board, through the kernel module gloss),
+ * "model:" (the C model, in this process), "sim:" (the Verilated RTL, in this process)
+ * or "auto" (the first of these that opens; also for NULL). The colon may be left out
+ * if nothing follows.
+ *
+ * "drm:" is the first render node of a Gloss board that opens, "drm:/dev/dri/renderD128"
+ * that node. Options of the others follow the colon, separated by commas:
  *
  *   tile=32 or 64	pixels of a tile's side; 64 if not given
  *   lanes=1, 2, 4, 8	pixels a clock, "sim:" only; 8 if not given
@@ -80,7 +83,8 @@ typedef void (*accel_message_fn)(void *data, const char *message);
  * sim/ beside the library, then where `make install` puts it.
  * @message may be NULL; it and @data must last as long as the device.
  * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
- * allowed, -EINVAL a name or an option that is not understood.
+ * allowed, -EINVAL a name or an option that is not understood. The message says what
+ * to do about it. "auto" says nothing of a board that is not there.
  */
 int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **device);

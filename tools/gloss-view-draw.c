@@ -8,7 +8,7 @@
 #include "gloss-view.h"
 
 /* The library's last words, for view_error. */
-static char library_message[256];
+static char library_message[512];
 
 static void keep_message(void *data, const char *message)
 {
@@ -65,6 +65,24 @@ static void open_scene(struct view *view)
 	view_camera_set(view, 0);
 }
 
+/* The library's reason follows 'device "drm:": ', which @name says already, as it does the colon. */
+static int no_device(const char *name, int error)
+{
+	const char *reason = strstr(library_message, "\": ");
+	size_t length = strlen(name);
+	char where[256];
+
+	if (length && name[length - 1] == ':')
+		length--;
+	snprintf(where, sizeof(where), "%.*s", (int)length, name);
+	if (error == -EINVAL)
+		view_error("no such device", where,
+			   reason ? reason + 3 : "give drm:, model:, sim: or auto");
+	else
+		view_error("can not open device", where, reason ? reason + 3 : strerror(-error));
+	return VIEW_FAILED;
+}
+
 static int open_device(struct view *view)
 {
 	const struct view_options *options = view->options;
@@ -72,12 +90,8 @@ static int open_device(struct view *view)
 	int ret;
 
 	ret = accel_device_new(name, keep_message, NULL, &view->device);
-	if (ret == -EINVAL || ret == -ENODEV) {
-		view_error("no such device", name, "give model:, sim: or auto");
-		return VIEW_FAILED;
-	}
 	if (ret)
-		return failed("can not open device", name, ret);
+		return no_device(name, ret);
 	ret = accel_target_new(view->device, options->width, options->height, &view->target);
 	if (ret)
 		return failed("no memory for the picture on device", name, ret);
