@@ -3,7 +3,11 @@
 
 # A test program: tests/vm/NAME.c (or .sh) makes $(BUILD)/tests/vm/NAME. The list it runs from has
 # WHO:NAME[:SECONDS], WHO root or user; fragments of single tests add theirs.
-VM_TESTS :=
+VM_TESTS := user:test_smoke
+# Those of them that give figures to make bench.
+VM_BENCHES :=
+# What else has to be built before they run.
+VM_NEEDS :=
 
 -include $(sort $(filter-out tests/vm/vm.mk,$(wildcard tests/vm/*.mk)))
 
@@ -26,5 +30,36 @@ $(BUILD)/tests/vm/%.o: tests/vm/%.c
 $(BUILD)/tests/vm/%: tests/vm/%.sh
 	@mkdir -p $(@D)
 	$(Q)install -m 755 $< $@
+
+VM_NAMES    = $(foreach test,$(VM_TESTS),$(word 2,$(subst :, ,$(test))))
+VM_PROGRAMS = $(VM_NAMES:%=$(BUILD)/tests/vm/%)
+
+VM_RUNNER_SOURCES := $(wildcard tests/vm/runner/*.c)
+$(BUILD)/tests/vm/runner: $(VM_RUNNER_SOURCES) tests/vm/runner/runner.h
+	$(call quiet,CC,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $(VM_RUNNER_SOURCES) -o $@
+
+$(BUILD)/tests/vm/list: FORCE
+	@mkdir -p $(@D)
+	@printf '%s\n' $(VM_TESTS) | cmp -s - $@ || printf '%s\n' $(VM_TESTS) >$@
+
+.PHONY: vm-programs check-vm check-kasan bench-drm FORCE
+vm-programs: $(VM_PROGRAMS) $(VM_NEEDS) $(BUILD)/tests/vm/runner $(BUILD)/tests/vm/list \
+	$(BUILD)/vboard-pci $(BOARD_RTL_PLUGIN) ## what runs in the virtual machine, and its boards
+
+check-vm: vm-programs $(MODULE) ## the driver on virtual boards, in a virtual machine
+	$(Q)tests/vm/run --build $(BUILD)
+
+bench-drm: vm-programs $(MODULE) ## time of an empty job through the driver
+	$(Q)tests/vm/run --build $(BUILD) $(VM_BENCHES)
+
+# The same on a kernel that checks everything; with its own module, made for that kernel.
+KASAN_DRIVER := $(BUILD)/driver-kasan
+check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak...; builds a kernel at first
+	$(Q)kernel=$$(tests/vm/kasan-kernel $(or $(GLOSS_CACHE),$(BUILD))) && \
+	$(MAKE) --no-print-directory module KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
+	tests/vm/run --build $(BUILD) --driver $(KASAN_DRIVER) --results $(BUILD)/vm-kasan \
+		--kernel $$kernel/bzImage --modules none --debug --slow 5 --timeout 3600
 
 -include $(wildcard $(BUILD)/tests/vm/*.d)

@@ -47,7 +47,9 @@ __attribute__((noreturn)) static inline void vm_skip(const char *missing)
 /*
  * A variable of the runner: GLOSS_TEST, the program's name in the list; GLOSS_NODE_RTL and
  * GLOSS_NODE_MODEL, render nodes; GLOSS_PCI_RTL and GLOSS_PCI_MODEL, the boards in sysfs;
- * GLOSS_VM_OUT, a folder to write to that stays on the host.
+ * GLOSS_VM_OUT, a folder to write to that stays on the host; GLOSS_SOURCE, GLOSS_BUILD and
+ * GLOSS_DRIVER, the checkout, what was built, and where gloss.ko is; GLOSS_SLOW, how many times
+ * slower than usual this machine may be.
  */
 static inline const char *vm_env(const char *name)
 {
