@@ -24,4 +24,5 @@ $(BUILD)/sim/accel-board-%.so: $(BOARD_WRAPPER) $(BOARD_SOURCES) rtl/gloss_hw.sv
 		$(BOARD_SOURCES) $(abspath tools/vboard/board_rtl.cpp) -o $(abspath $@) \
 		>$(@D)/board-$*/log 2>&1 || { cat $(@D)/board-$*/log; exit 1; }
 
-ALL += $(BOARD_CORES:%=$(BUILD)/sim/accel-board-%.so)
+BOARD_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-board-%.so)
+ALL += $(BOARD_RTL_PLUGIN)

@@ -44,6 +44,7 @@ STAGES = {
     "memory": [("memory", {}, 1)],
     "raster+shade": [("raster_shade", {}, 1)],
     "core": [("gloss_core", {}, 1)],
+    "port": [("port_pci", {}, 1)],
 }
 
 RAM_BITS = {"SB_RAM40_4K": 4096, "DP16KD": 18432, "RAMB18E1": 18432, "RAMB36E1": 36864}
@@ -188,6 +189,7 @@ def main():
     for family, stages in need.items():
         figures[f"synth.{family}.core_luts"] = stages["core"]["lut"]
         figures[f"synth.{family}.core_rams"] = stages["core"]["ram"]
+        figures[f"synth.{family}.port_luts"] = stages["port"]["lut"]
     with open(os.path.join(BUILD, "synth.json"), "w", encoding="utf-8") as file:
         json.dump(figures, file, indent=1)
         file.write("\n")
