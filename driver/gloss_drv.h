@@ -13,9 +13,10 @@
  *   gloss_ring    jobs the board has
  *   gloss_irq     what it says of them
  *
- * Locks, outer ones first: gloss_device.stop_lock, a reservation (dma_resv),
- * gloss_file.lock, gloss_hosts.lock or gloss_memory.lock, gloss_ring.lock,
- * gloss_ring.fence_lock. The last two are taken by the interrupt.
+ * Locks, outer ones first: gloss_memory.lock, a reservation (dma_resv), gloss_file.lock
+ * or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock; gloss_hosts.lock, alone.
+ * The interrupt takes those of the ring. The scheduler's thread, and while that is
+ * stopped whoever has stopped it, are the only ones to push jobs into the ring.
  */
 #ifndef GLOSS_DRV_H
 #define GLOSS_DRV_H
@@ -33,6 +34,7 @@
 #include <linux/spinlock.h>
 #include <linux/wait.h>
 
+#include "gloss_compat.h"
 #include "gloss_drm.h"
 #include "gloss_regs.h"
 
@@ -41,6 +43,8 @@
 #define GLOSS_RING_ENTRIES	BIT(GLOSS_RING_MAX_LOG2)
 /* Jobs the scheduler gives the board ahead of their turn; fewer than the ring has entries. */
 #define GLOSS_JOBS_AHEAD	64
+/* A job is run, then, if that hung the board, as an empty one; then it is the board. */
+#define GLOSS_JOB_HANGS		2
 #define GLOSS_PRIORITIES	(DRM_GLOSS_PRIORITY_HIGH + 1)
 /* A job's objects: its slots, stream, response and status. */
 #define GLOSS_JOB_OBJECTS	(GLOSS_SLOTS + 3)
@@ -81,7 +85,7 @@ struct gloss_ring {
 	u64 busy_ns;
 	struct gloss_ring_fault fault;
 
-	/* What the board had done when it was looked at last; under stop_lock. */
+	/* What the board had done when gloss_sched looked at it last. */
 	u32 seen_head, seen_progress;
 
 	spinlock_t fence_lock;		/* of the fences of all jobs */
@@ -89,7 +93,7 @@ struct gloss_ring {
 	u64 fence_sequence;		/* of the fence made last; of gloss_sched_run_job only */
 };
 
-/* All host objects, so that none is mapped for a board that has gone. */
+/* The host objects that are mapped, so that none stays so when the board has gone. */
 struct gloss_hosts {
 	struct mutex lock;		/* protects the following, and each object's mapping */
 	struct list_head list;
@@ -106,11 +110,9 @@ struct gloss_memory {
 
 /* The stream that clears tiles from the start of slot 0; any number of them is a prefix. */
 struct gloss_clear {
-	u32 *stream;
-	__le64 *list;			/* bus addresses of its pages, in the same allocation */
 	dma_addr_t list_address;
-	struct drm_sched_entity entity;
 	struct mutex lock;		/* keeps the entity's jobs in order */
+	struct drm_sched_entity entity;
 };
 
 struct gloss_device {
@@ -130,8 +132,7 @@ struct gloss_device {
 	struct gloss_clear clear;
 
 	struct drm_gpu_scheduler sched;
-	struct workqueue_struct *sched_wq;	/* looks at late jobs */
-	struct mutex stop_lock;			/* held while the scheduler is stopped */
+	struct workqueue_struct *sched_wq;	/* looks at late jobs, one at a time */
 	atomic_t resets;
 
 	atomic_t jobs;			/* that exist, whatever their state */
@@ -169,7 +170,8 @@ static inline struct gloss_file *to_gloss_file(struct drm_file *drm)
  */
 struct gloss_host {
 	struct drm_gem_shmem_object base;
-	struct list_head node;		/* in gloss_hosts.list */
+	struct list_head node;		/* in gloss_hosts.list, if anything of it is mapped */
+	struct dma_buf_attachment *attach;	/* of an imported object, else NULL */
 	bool pinned;			/* base.pages stay until the object goes */
 	__le64 *list;
 	dma_addr_t list_address;
@@ -225,7 +227,10 @@ struct gloss_job {
 
 	/* Allocated with the job, initialised when it is first run. */
 	struct dma_fence *fence;
-	enum gloss_job_state state;	/* under gloss_ring.lock once pushed to the scheduler */
+	enum gloss_job_state state;
+	/* Why the board is to skip this job, which then is how it ends; 0: it is not. */
+	int refused;
+	unsigned int hangs;		/* how often it was to blame */
 
 	/* For the board. */
 	u32 sequence;
@@ -264,7 +269,6 @@ static inline void gloss_write(struct gloss_device *gdev, u32 reg, u32 value)
 int gloss_device_identify(struct gloss_device *gdev);
 int gloss_device_reset(struct gloss_device *gdev);
 int gloss_device_start(struct gloss_device *gdev);
-void gloss_device_stop(struct gloss_device *gdev);
 void gloss_device_set_gone(struct gloss_device *gdev, const char *why);
 
 static inline bool gloss_device_gone(struct gloss_device *gdev)
@@ -275,7 +279,8 @@ static inline bool gloss_device_gone(struct gloss_device *gdev)
 /* gloss_file.c */
 int gloss_file_open(struct drm_device *drm, struct drm_file *file);
 void gloss_file_close(struct drm_device *drm, struct drm_file *file);
-void gloss_file_put(struct gloss_file *file);
+void gloss_file_put(struct gloss_file *gfile);
+void gloss_files_lost(struct gloss_device *gdev);
 
 /* gloss_gem.c */
 int gloss_gem_create_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
@@ -286,16 +291,23 @@ int gloss_hosts_init(struct gloss_device *gdev);
 void gloss_hosts_unmap(struct gloss_device *gdev);
 struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size);
 struct drm_gem_object *gloss_host_create(struct gloss_device *gdev, size_t size);
+struct drm_gem_object *gloss_host_import(struct drm_device *drm,
+					 struct dma_buf_attachment *attach, struct sg_table *sgt);
 int gloss_host_map(struct gloss_host *host);
 
 /* gloss_memory.c */
 int gloss_memory_init(struct gloss_device *gdev);
 struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, u64 size);
+void gloss_memory_clear(struct gloss_device *gdev);
 
 /* gloss_clear.c */
 int gloss_clear_init(struct gloss_device *gdev);
-void gloss_clear_fini(struct gloss_device *gdev);
 int gloss_clear_board(struct gloss_board *board);
+
+static inline u32 gloss_clear_tile_bytes(const struct gloss_device *gdev)
+{
+	return gdev->tile_size * gdev->tile_size * sizeof(u32);
+}
 
 /* gloss_submit.c */
 int gloss_submit_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
@@ -320,8 +332,7 @@ struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *fi
 				struct drm_sched_entity *entity);
 int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool write);
 int gloss_job_lock(struct gloss_job *job, struct ww_acquire_ctx *ctx);
-struct dma_fence *gloss_job_push(struct gloss_job *job);
-void gloss_job_unlock(struct gloss_job *job, struct ww_acquire_ctx *ctx);
+struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *ctx);
 void gloss_job_begin(struct gloss_job *job);
 void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status);
 void gloss_job_free(struct gloss_job *job);
@@ -329,16 +340,23 @@ void gloss_job_free(struct gloss_job *job);
 /* gloss_sched.c */
 int gloss_sched_init(struct gloss_device *gdev);
 void gloss_sched_kick(struct gloss_device *gdev);
-void gloss_sched_lose(struct gloss_device *gdev);
-int gloss_sched_suspend(struct gloss_device *gdev);
+void gloss_sched_suspend(struct gloss_device *gdev);
 void gloss_sched_resume(struct gloss_device *gdev);
 
 /* gloss_ring.c */
 int gloss_ring_init(struct gloss_device *gdev);
-void gloss_ring_start(struct gloss_device *gdev);
-void gloss_ring_push(struct gloss_ring *ring, struct gloss_job *job);
+void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job);
 unsigned int gloss_ring_reap(struct gloss_ring *ring);
+void gloss_ring_fail(struct gloss_ring *ring, int error);
+bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault);
+void gloss_ring_rewind(struct gloss_ring *ring);
 bool gloss_ring_idle(struct gloss_ring *ring);
+
+/* Where the board finds what is @at, a part of @ring->shared. */
+static inline dma_addr_t gloss_ring_address(const struct gloss_ring *ring, const void *at)
+{
+	return ring->address + (at - (const void *)ring->shared);
+}
 
 /* gloss_irq.c */
 int gloss_irq_init(struct gloss_device *gdev);

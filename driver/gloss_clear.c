@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/**
+ * DOC: Clearing
+ *
+ * Board memory changes hands, and must not take along what it holds. The board itself
+ * clears it: there is a stream, made once, that sees slot 0 as a surface of one tile's
+ * width, and in which each tile is begun with the colour zero and stored. A job with the
+ * first so many tiles of that stream clears an object, several jobs a large one.
+ *
+ * They run before the jobs of all files, and every job that uses the object waits for
+ * them; if one fails, none of these is run.
+ */
+#include <drm/drm_managed.h>
+#include <linux/bitfield.h>
+#include <linux/dma-mapping.h>
+#include <linux/sizes.h>
+
+#include "gloss_drv.h"
+
+#define GLOSS_CLEAR_STREAM_BYTES	SZ_32K
+
+/* What board and driver share: the stream, and the list of its pages. */
+struct gloss_clear_shared {
+	__le32 stream[GLOSS_CLEAR_STREAM_BYTES / sizeof(__le32)];
+	__le64 list[GLOSS_CLEAR_STREAM_BYTES / GLOSS_PAGE_BYTES];
+};
+
+/* The packets of it, see rtl/INTERFACE.md. */
+#define GLOSS_PACKET_OPCODE		GENMASK(31, 24)
+#define GLOSS_PACKET_LENGTH		GENMASK(10, 0)
+#define GLOSS_PACKET_COLOUR_SURFACE	0x08
+#define GLOSS_COLOUR_SURFACE_SLOT	GENMASK(3, 0)
+#define GLOSS_COLOUR_SURFACE_PITCH	GENMASK(31, 16)
+#define GLOSS_PACKET_TILE_BEGIN		0x10
+#define GLOSS_PACKET_TILE_END		0x11
+#define GLOSS_TILE_END_COLOUR_OUTPUT	GENMASK(12, 11)
+#define GLOSS_TILE_OUTPUT_STORE		1
+
+#define GLOSS_CLEAR_START_WORDS		2
+#define GLOSS_CLEAR_TILE_WORDS		6
+#define GLOSS_CLEAR_TILES \
+	((GLOSS_CLEAR_STREAM_BYTES / sizeof(__le32) - GLOSS_CLEAR_START_WORDS) / \
+	 GLOSS_CLEAR_TILE_WORDS)
+
+static u32 gloss_clear_header(u32 opcode, u32 length)
+{
+	return FIELD_PREP(GLOSS_PACKET_OPCODE, opcode) | FIELD_PREP(GLOSS_PACKET_LENGTH, length);
+}
+
+static __le32 *gloss_clear_put(__le32 *to, u32 header, u32 first)
+{
+	*to++ = cpu_to_le32(header);
+	*to++ = cpu_to_le32(first);
+	return to;
+}
+
+/* A tile of colour and depth zero, whose colour goes to @offset and whose depth nowhere. */
+static __le32 *gloss_clear_put_tile(__le32 *to, u32 offset)
+{
+	to = gloss_clear_put(to, gloss_clear_header(GLOSS_PACKET_TILE_BEGIN, 2), 0);
+	*to++ = 0;
+	to = gloss_clear_put(to, gloss_clear_header(GLOSS_PACKET_TILE_END, 2) |
+			     FIELD_PREP(GLOSS_TILE_END_COLOUR_OUTPUT, GLOSS_TILE_OUTPUT_STORE),
+			     offset);
+	*to++ = 0;
+	return to;
+}
+
+static void gloss_clear_put_stream(struct gloss_device *gdev, __le32 *to)
+{
+	u32 pitch = gdev->tile_size * sizeof(u32);
+	unsigned int tile;
+
+	to = gloss_clear_put(to, gloss_clear_header(GLOSS_PACKET_COLOUR_SURFACE, 1),
+			     FIELD_PREP(GLOSS_COLOUR_SURFACE_SLOT, 0) |
+			     FIELD_PREP(GLOSS_COLOUR_SURFACE_PITCH, pitch));
+	for (tile = 0; tile < GLOSS_CLEAR_TILES; tile++)
+		to = gloss_clear_put_tile(to, tile * gloss_clear_tile_bytes(gdev));
+}
+
+static void gloss_clear_fini(struct drm_device *drm, void *data)
+{
+	struct gloss_clear *clear = &to_gloss_device(drm)->clear;
+
+	drm_sched_entity_destroy(&clear->entity);
+	mutex_destroy(&clear->lock);
+}
+
+static int gloss_clear_init_entity(struct gloss_device *gdev)
+{
+	struct drm_gpu_scheduler *sched = &gdev->sched;
+	int ret;
+
+	ret = drm_sched_entity_init(&gdev->clear.entity, DRM_SCHED_PRIORITY_KERNEL, &sched, 1,
+				    NULL);
+	if (ret)
+		return ret;
+
+	mutex_init(&gdev->clear.lock);
+	return drmm_add_action_or_reset(&gdev->drm, gloss_clear_fini, NULL);
+}
+
+int gloss_clear_init(struct gloss_device *gdev)
+{
+	struct gloss_clear_shared *shared;
+	dma_addr_t address;
+	unsigned int i;
+
+	shared = dmam_alloc_coherent(gdev->drm.dev, sizeof(*shared), &address, GFP_KERNEL);
+	if (!shared)
+		return -ENOMEM;
+
+	gloss_clear_put_stream(gdev, shared->stream);
+	for (i = 0; i < ARRAY_SIZE(shared->list); i++)
+		shared->list[i] = cpu_to_le64(address + i * GLOSS_PAGE_BYTES);
+	gdev->clear.list_address = address + offsetof(struct gloss_clear_shared, list);
+	return gloss_clear_init_entity(gdev);
+}
+
+static int gloss_clear_push(struct gloss_job *job)
+{
+	struct ww_acquire_ctx ctx;
+	int ret;
+
+	drm_gem_object_get(&job->clears->base);
+	ret = gloss_job_use(job, &job->clears->base, true);
+	if (ret)
+		return ret;
+
+	ret = gloss_job_lock(job, &ctx);
+	if (ret)
+		return ret;
+
+	dma_fence_put(gloss_job_push(job, &ctx));
+	return 0;
+}
+
+/* Queues a job that clears @tiles of @board, @offset bytes from its start. */
+static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles)
+{
+	struct gloss_device *gdev = to_gloss_device(board->base.dev);
+	struct gloss_job *job;
+	int ret;
+
+	job = gloss_job_new(gdev, NULL, &gdev->clear.entity);
+	if (IS_ERR(job))
+		return PTR_ERR(job);
+
+	job->clears = board;
+	job->stream_words = GLOSS_CLEAR_START_WORDS + tiles * GLOSS_CLEAR_TILE_WORDS;
+	job->stream_list = gdev->clear.list_address;
+	job->slot[0] = (struct gloss_job_slot) {
+		.base = board->node.start + offset,
+		.size = tiles * gloss_clear_tile_bytes(gdev),
+		.rights = DRM_GLOSS_SLOT_WRITE,
+	};
+	ret = gloss_clear_push(job);
+	if (ret)
+		gloss_job_free(job);
+	return ret;
+}
+
+/*
+ * Queues the clearing of an object. Jobs that use it wait for that, so it may be handed
+ * out at once. On an error some of it may be queued.
+ */
+int gloss_clear_board(struct gloss_board *board)
+{
+	u32 tile_bytes = gloss_clear_tile_bytes(to_gloss_device(board->base.dev));
+	u64 left = board->node.size / tile_bytes;
+	u64 offset = 0;
+	int ret = 0;
+
+	while (left && !ret) {
+		u32 tiles = min_t(u64, left, GLOSS_CLEAR_TILES);
+
+		ret = gloss_clear_tiles(board, offset, tiles);
+		offset += (u64)tiles * tile_bytes;
+		left -= tiles;
+	}
+	return ret;
+}

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/*
+ * The module, what a board goes through between its plugging in and its pulling out, and
+ * what programs can ask of it.
+ */
+#include <drm/drm_debugfs.h>
+#include <drm/drm_drv.h>
+#include <drm/drm_file.h>
+#include <drm/drm_gem.h>
+#include <drm/drm_ioctl.h>
+#include <drm/drm_prime.h>
+#include <linux/dma-mapping.h>
+#include <linux/module.h>
+#include <linux/pci.h>
+#include <linux/pm.h>
+
+#include "gloss_drv.h"
+
+/* No ids are assigned to Gloss; boards use the FPGA's vendor and a subsystem of their own. */
+#define GLOSS_PCI_DEVICE	0x474c
+#define GLOSS_PCI_SUBDEVICE	0x534f
+#define GLOSS_PCI_BAR		0
+
+unsigned int gloss_timeout_ms = 2000;
+module_param_named(timeout_ms, gloss_timeout_ms, uint, 0444);
+MODULE_PARM_DESC(timeout_ms, "A job is lost, and the board reset, when nothing moves for so long");
+
+static int gloss_get_param_ioctl(struct drm_device *drm, void *data, struct drm_file *file)
+{
+	const struct gloss_device *gdev = to_gloss_device(drm);
+	struct drm_gloss_get_param *args = data;
+
+	if (args->pad)
+		return -EINVAL;
+
+	switch (args->param) {
+	case DRM_GLOSS_PARAM_VERSION:
+		args->value = gdev->version;
+		return 0;
+	case DRM_GLOSS_PARAM_TILE_SIZE:
+		args->value = gdev->tile_size;
+		return 0;
+	case DRM_GLOSS_PARAM_PIXELS_PER_CLOCK:
+		args->value = gdev->pixels_per_clock;
+		return 0;
+	case DRM_GLOSS_PARAM_MEMORY_SIZE:
+		args->value = gdev->memory.size;
+		return 0;
+	case DRM_GLOSS_PARAM_SLOTS:
+		args->value = GLOSS_SLOTS;
+		return 0;
+	case DRM_GLOSS_PARAM_STREAM_WORDS_MAX:
+		args->value = GLOSS_STREAM_WORDS_MAX;
+		return 0;
+	case DRM_GLOSS_PARAM_JOBS_LOST:
+		args->value = atomic_read(&to_gloss_file(file)->jobs_lost);
+		return 0;
+	default:
+		return -EINVAL;
+	}
+}
+
+static const struct drm_ioctl_desc gloss_ioctls[] = {
+	DRM_IOCTL_DEF_DRV(GLOSS_GET_PARAM, gloss_get_param_ioctl, DRM_RENDER_ALLOW),
+	DRM_IOCTL_DEF_DRV(GLOSS_GEM_CREATE, gloss_gem_create_ioctl, DRM_RENDER_ALLOW),
+	DRM_IOCTL_DEF_DRV(GLOSS_GEM_MMAP_OFFSET, gloss_gem_mmap_offset_ioctl, DRM_RENDER_ALLOW),
+	DRM_IOCTL_DEF_DRV(GLOSS_SUBMIT, gloss_submit_ioctl, DRM_RENDER_ALLOW),
+};
+
+static const struct file_operations gloss_fops = {
+	.owner = THIS_MODULE,
+	DRM_GEM_FOPS,
+	.show_fdinfo = gloss_fdinfo_show,
+};
+
+static const struct drm_driver gloss_driver = {
+	.driver_features = DRIVER_GEM | DRIVER_RENDER | DRIVER_SYNCOBJ | DRIVER_SYNCOBJ_TIMELINE,
+	.open = gloss_file_open,
+	.postclose = gloss_file_close,
+	.ioctls = gloss_ioctls,
+	.num_ioctls = ARRAY_SIZE(gloss_ioctls),
+	.fops = &gloss_fops,
+	.gem_create_object = gloss_host_new,
+	.prime_handle_to_fd = drm_gem_prime_handle_to_fd,
+	.prime_fd_to_handle = drm_gem_prime_fd_to_handle,
+	.gem_prime_import_sg_table = gloss_host_import,
+	.gem_prime_mmap = drm_gem_prime_mmap,
+#ifdef CONFIG_DEBUG_FS
+	.debugfs_init = gloss_debugfs_init,
+#endif
+	.name = "gloss",
+	.desc = "Gloss 3D accelerator",
+	.date = "20261125",
+	.major = 1,
+	.minor = 0,
+};
+
+static int gloss_pci_enable(struct gloss_device *gdev)
+{
+	struct pci_dev *pdev = to_pci_dev(gdev->drm.dev);
+	int ret;
+
+	ret = pcim_enable_device(pdev);
+	if (ret)
+		return ret;
+
+	ret = pcim_iomap_regions(pdev, BIT(GLOSS_PCI_BAR), "gloss");
+	if (ret)
+		return ret;
+	gdev->registers = pcim_iomap_table(pdev)[GLOSS_PCI_BAR];
+
+	ret = dma_set_mask_and_coherent(&pdev->dev, DMA_BIT_MASK(64));
+	if (ret)
+		return ret;
+	pci_set_master(pdev);
+	return 0;
+}
+
+static int gloss_device_init(struct gloss_device *gdev)
+{
+	init_waitqueue_head(&gdev->jobs_wait);
+	return gloss_device_identify(gdev) ?:
+	       gloss_device_reset(gdev) ?:
+	       gloss_ring_init(gdev) ?:
+	       gloss_hosts_init(gdev) ?:
+	       gloss_memory_init(gdev) ?:
+	       gloss_sched_init(gdev) ?:
+	       gloss_clear_init(gdev) ?:
+	       gloss_irq_init(gdev);
+}
+
+static int gloss_pci_probe(struct pci_dev *pdev, const struct pci_device_id *id)
+{
+	struct gloss_device *gdev;
+	int ret;
+
+	gdev = devm_drm_dev_alloc(&pdev->dev, &gloss_driver, struct gloss_device, drm);
+	if (IS_ERR(gdev))
+		return PTR_ERR(gdev);
+
+	pci_set_drvdata(pdev, gdev);
+	ret = gloss_pci_enable(gdev) ?: gloss_device_init(gdev);
+	if (ret)
+		return dev_err_probe(&pdev->dev, ret, "no board to work with\n");
+
+	ret = gloss_device_start(gdev) ?: drm_dev_register(&gdev->drm, 0);
+	if (ret)
+		gloss_device_reset(gdev);
+	return ret;
+}
+
+/* Unbound, or pulled out: all jobs end, and the board touches no memory any more. */
+static void gloss_pci_remove(struct pci_dev *pdev)
+{
+	struct gloss_device *gdev = pci_get_drvdata(pdev);
+
+	drm_dev_unplug(&gdev->drm);
+	gloss_irq_fini(gdev);
+	gloss_device_reset(gdev);
+	gloss_device_set_gone(gdev, NULL);
+	gloss_hosts_unmap(gdev);
+}
+
+/* Before another kernel runs, whose memory the board must not write to. */
+static void gloss_pci_shutdown(struct pci_dev *pdev)
+{
+	struct gloss_device *gdev = pci_get_drvdata(pdev);
+
+	gloss_device_set_gone(gdev, NULL);
+	gloss_device_reset(gdev);
+}
+
+/* What the board can not end in time is lost; what it does not have yet waits. */
+static int __maybe_unused gloss_pm_suspend(struct device *dev)
+{
+	struct gloss_device *gdev = dev_get_drvdata(dev);
+
+	gloss_sched_suspend(gdev);
+	gloss_device_reset(gdev);
+	gloss_ring_fail(&gdev->ring, -EIO);
+	gloss_ring_rewind(&gdev->ring);
+	return 0;
+}
+
+/*
+ * Board memory may have lost its content. It is cleared, so that it is nobody else's, and
+ * files are told.
+ */
+static int __maybe_unused gloss_pm_resume(struct device *dev)
+{
+	struct gloss_device *gdev = dev_get_drvdata(dev);
+
+	if (!gloss_device_gone(gdev) && (gloss_device_reset(gdev) ?: gloss_device_start(gdev)))
+		gloss_device_set_gone(gdev, "it did not come back from sleep");
+	gloss_memory_clear(gdev);
+	gloss_files_lost(gdev);
+	gloss_sched_resume(gdev);
+	return 0;
+}
+
+static SIMPLE_DEV_PM_OPS(gloss_pm_ops, gloss_pm_suspend, gloss_pm_resume);
+
+static const struct pci_device_id gloss_pci_ids[] = {
+	{ PCI_DEVICE_SUB(PCI_VENDOR_ID_XILINX, GLOSS_PCI_DEVICE,
+			 PCI_VENDOR_ID_XILINX, GLOSS_PCI_SUBDEVICE) },
+	{ }
+};
+MODULE_DEVICE_TABLE(pci, gloss_pci_ids);
+
+static struct pci_driver gloss_pci_driver = {
+	.name = "gloss",
+	.id_table = gloss_pci_ids,
+	.probe = gloss_pci_probe,
+	.remove = gloss_pci_remove,
+	.shutdown = gloss_pci_shutdown,
+	.driver.pm = &gloss_pm_ops,
+};
+module_pci_driver(gloss_pci_driver);
+
+MODULE_DESCRIPTION("Gloss 3D accelerator on PCI");
+MODULE_LICENSE("GPL");
+MODULE_IMPORT_NS(DMA_BUF);

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/**
+ * DOC: A job's life
+ *
+ * gloss_submit_ioctl, or gloss_clear_board, makes a job, gives it the objects it uses,
+ * locks their reservations and pushes it to its entity. From then on the scheduler owns
+ * it: when all it depends on has ended, gloss_sched_run_job puts it into the ring. The
+ * interrupt finds that it has ended, writes its status to the page that waits for it, and
+ * signals its fence. At last the scheduler's thread frees it, and drops what it used.
+ */
+#include <drm/drm_gem.h>
+#include <linux/dma-resv.h>
+#include <linux/highmem.h>
+#include <linux/slab.h>
+
+#include "gloss_drv.h"
+
+static const char *gloss_job_fence_driver_name(struct dma_fence *fence)
+{
+	return "gloss";
+}
+
+static const char *gloss_job_fence_timeline_name(struct dma_fence *fence)
+{
+	return "ring";
+}
+
+static const struct dma_fence_ops gloss_job_fence_ops = {
+	.get_driver_name = gloss_job_fence_driver_name,
+	.get_timeline_name = gloss_job_fence_timeline_name,
+};
+
+/* A job of @file for @entity; without a file it is the driver's own. */
+struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *file,
+				struct drm_sched_entity *entity)
+{
+	struct gloss_job *job;
+	int ret = -ENOMEM;
+
+	job = kzalloc(sizeof(*job), GFP_KERNEL);
+	if (!job)
+		return ERR_PTR(-ENOMEM);
+
+	job->fence = kzalloc(sizeof(*job->fence), GFP_KERNEL);
+	if (!job->fence)
+		goto free_job;
+
+	ret = gloss_compat_sched_job_init(&job->base, entity, file);
+	if (ret)
+		goto free_fence;
+
+	job->gdev = gdev;
+	if (file) {
+		kref_get(&file->ref);
+		job->file = file;
+	}
+	atomic_inc(&gdev->jobs);
+	return job;
+
+free_fence:
+	kfree(job->fence);
+free_job:
+	kfree(job);
+	return ERR_PTR(ret);
+}
+
+/*
+ * Notes that the job reads, or also writes, an object. Takes over the reference, on an
+ * error too. -EINVAL: two objects for one reservation, which only the same dma-buf,
+ * imported by two files, can be.
+ */
+int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool write)
+{
+	unsigned int i;
+
+	for (i = 0; i < job->objects; i++)
+		if (job->object[i]->resv == object->resv)
+			break;
+
+	if (i < job->objects) {
+		bool same = job->object[i] == object;
+
+		drm_gem_object_put(object);
+		if (!same)
+			return -EINVAL;
+	} else {
+		job->object[job->objects++] = object;
+	}
+	if (write)
+		job->writes |= BIT(i);
+	return 0;
+}
+
+static int gloss_job_depend(struct gloss_job *job)
+{
+	unsigned int i;
+	int ret;
+
+	for (i = 0; i < job->objects; i++) {
+		ret = dma_resv_reserve_fences(job->object[i]->resv, 1);
+		if (ret)
+			return ret;
+		ret = drm_sched_job_add_implicit_dependencies(&job->base, job->object[i],
+							      job->writes & BIT(i));
+		if (ret)
+			return ret;
+	}
+	return 0;
+}
+
+/* Locks all objects, and makes the job wait for what is still done with them. */
+int gloss_job_lock(struct gloss_job *job, struct ww_acquire_ctx *ctx)
+{
+	int ret;
+
+	ret = drm_gem_lock_reservations(job->object, job->objects, ctx);
+	if (ret)
+		return ret;
+
+	ret = gloss_job_depend(job);
+	if (ret)
+		drm_gem_unlock_reservations(job->object, job->objects, ctx);
+	return ret;
+}
+
+static void gloss_job_add_fence(struct gloss_job *job, struct dma_fence *fence)
+{
+	unsigned int i;
+
+	for (i = 0; i < job->objects; i++) {
+		enum dma_resv_usage usage = DMA_RESV_USAGE_READ;
+
+		if (job->clears)
+			usage = DMA_RESV_USAGE_KERNEL;
+		else if (job->writes & BIT(i))
+			usage = DMA_RESV_USAGE_WRITE;
+		dma_resv_add_fence(job->object[i]->resv, fence, usage);
+	}
+}
+
+/*
+ * Gives a job whose objects are locked to the scheduler, and unlocks them. Can not fail.
+ * Returns the fence that signals when the job has ended.
+ */
+struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *ctx)
+{
+	struct mutex *lock = job->file ? &job->file->lock : &job->gdev->clear.lock;
+	struct dma_fence *fence;
+
+	mutex_lock(lock);
+	drm_sched_job_arm(&job->base);
+	fence = dma_fence_get(&job->base.s_fence->finished);
+	/* Who uses an object that is being cleared has to know first whether that worked. */
+	if (job->clears)
+		set_bit(DRM_SCHED_FENCE_DONT_PIPELINE, &fence->flags);
+	gloss_job_add_fence(job, fence);
+	/* Once it is pushed, the job may end, and be gone with its objects. */
+	drm_gem_unlock_reservations(job->object, job->objects, ctx);
+	drm_sched_entity_push_job(&job->base);
+	mutex_unlock(lock);
+	return fence;
+}
+
+/* The scheduler has decided for the job; its fence takes its place among the ring's. */
+void gloss_job_begin(struct gloss_job *job)
+{
+	struct gloss_ring *ring = &job->gdev->ring;
+
+	if (!job->fence->ops)
+		dma_fence_init(job->fence, &gloss_job_fence_ops, &ring->fence_lock,
+			       ring->fence_context, ++ring->fence_sequence);
+}
+
+static void gloss_job_write_status(struct gloss_job *job, const struct drm_gloss_status *status)
+{
+	if (job->status_page)
+		memcpy_to_page(job->status_page, job->status_offset, (const char *)status,
+			       sizeof(*status));
+}
+
+/* Ends a job that has begun. It may be freed at once. The ring is locked. */
+void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status)
+{
+	int error = status->error ?: status->cause ? -EIO : 0;
+
+	gloss_job_write_status(job, status);
+	if (error) {
+		/* The scheduler of this kernel may not pass on the error of a job's own fence. */
+		dma_fence_set_error(&job->base.s_fence->finished, error);
+		dma_fence_set_error(job->fence, error);
+		if (job->clears)
+			WRITE_ONCE(job->clears->lost, true);
+	}
+	if (job->file) {
+		atomic64_inc(&job->file->jobs);
+		if (status->error == -EIO || status->error == -ENODEV)
+			atomic_inc(&job->file->jobs_lost);
+	}
+	job->state = GLOSS_JOB_ENDED;
+	atomic_inc(&job->gdev->jobs_ended);
+	dma_fence_signal(job->fence);
+}
+
+/* A job the scheduler has dropped, as its file was closed, before its turn came. */
+static void gloss_job_dropped(struct gloss_job *job)
+{
+	const struct drm_gloss_status status = { .error = -ECANCELED };
+
+	gloss_job_write_status(job, &status);
+	if (job->clears)
+		WRITE_ONCE(job->clears->lost, true);
+}
+
+static void gloss_job_free_fence(struct gloss_job *job)
+{
+	struct drm_sched_fence *finished = job->base.s_fence;
+
+	/* The scheduler's fence may outlive this module, in a sync file; ours must not. */
+	dma_fence_put(finished->parent);
+	finished->parent = NULL;
+
+	if (job->fence->ops)
+		dma_fence_put(job->fence);
+	else
+		kfree(job->fence);
+}
+
+/* Frees a job that was pushed and has ended, or one that was never pushed. */
+void gloss_job_free(struct gloss_job *job)
+{
+	struct gloss_device *gdev = job->gdev;
+	unsigned int i;
+
+	if (job->base.sched && job->state == GLOSS_JOB_WAITING)
+		gloss_job_dropped(job);
+	if (job->state == GLOSS_JOB_ENDED)
+		atomic_dec(&gdev->jobs_ended);
+
+	gloss_job_free_fence(job);
+	drm_sched_job_cleanup(&job->base);
+	for (i = 0; i < job->objects; i++)
+		drm_gem_object_put(job->object[i]);
+	if (job->file)
+		gloss_file_put(job->file);
+	kfree(job);
+
+	atomic_dec(&gdev->jobs);
+	wake_up_all(&gdev->jobs_wait);
+}

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/**
+ * DOC: The ring
+ *
+ * Jobs that the board has. It takes them in order, one at a time, from descriptors in
+ * coherent memory; for each it writes a completion record there and then interrupts.
+ * So in good times the driver writes one register for a job, and reads none.
+ *
+ * A record is told from what was in its place before by the job's sequence number. These
+ * go on counting through resets, and a job that is run again gets a new one. Zero, which
+ * empty memory has, is left out.
+ */
+#include <linux/bitfield.h>
+#include <linux/dma-mapping.h>
+
+#include "gloss_drv.h"
+
+int gloss_ring_init(struct gloss_device *gdev)
+{
+	struct gloss_ring *ring = &gdev->ring;
+
+	spin_lock_init(&ring->lock);
+	spin_lock_init(&ring->fence_lock);
+	ring->fence_context = dma_fence_context_alloc(1);
+	ring->shared = dmam_alloc_coherent(gdev->drm.dev, sizeof(*ring->shared), &ring->address,
+					   GFP_KERNEL);
+	return ring->shared ? 0 : -ENOMEM;
+}
+
+static void gloss_ring_put_address(__le32 *low, u64 address)
+{
+	low[0] = cpu_to_le32(lower_32_bits(address));
+	low[1] = cpu_to_le32(upper_32_bits(address));
+}
+
+static void gloss_ring_put_slots(struct gloss_ring *ring, unsigned int entry,
+				 const struct gloss_job *job)
+{
+	unsigned int i;
+
+	for (i = 0; i < GLOSS_SLOTS; i++) {
+		__le32 *word = ring->shared->slot[entry][i];
+
+		word[GLOSS_SLOT_ENTRY_BASE_WORD] = cpu_to_le32(job->slot[i].base);
+		word[GLOSS_SLOT_ENTRY_SIZE_WORD] = cpu_to_le32(job->slot[i].size);
+		word[GLOSS_SLOT_ENTRY_RIGHTS_WORD] = cpu_to_le32(job->slot[i].rights);
+	}
+}
+
+/* A job that must not run is an empty one to the board, so that it ends in its turn. */
+static void gloss_ring_put(struct gloss_ring *ring, unsigned int entry,
+			   const struct gloss_job *job)
+{
+	__le32 *word = ring->shared->descriptor[entry];
+
+	memset(word, 0, sizeof(ring->shared->descriptor[entry]));
+	word[GLOSS_JOB_DESCRIPTOR_SEQUENCE_WORD] = cpu_to_le32(job->sequence);
+	gloss_ring_put_address(&word[GLOSS_JOB_DESCRIPTOR_SLOT_TABLE_LOW_WORD],
+			       gloss_ring_address(ring, ring->shared->slot[entry]));
+	gloss_ring_put_slots(ring, entry, job);
+	if (job->refused)
+		return;
+
+	word[GLOSS_JOB_DESCRIPTOR_STREAM_WORDS_WORD] = cpu_to_le32(job->stream_words);
+	gloss_ring_put_address(&word[GLOSS_JOB_DESCRIPTOR_STREAM_LIST_LOW_WORD],
+			       job->stream_list);
+	word[GLOSS_JOB_DESCRIPTOR_RESPONSE_WORDS_WORD] = cpu_to_le32(job->response_words);
+	gloss_ring_put_address(&word[GLOSS_JOB_DESCRIPTOR_RESPONSE_LIST_LOW_WORD],
+			       job->response_list);
+}
+
+static void gloss_ring_add(struct gloss_ring *ring, struct gloss_job *job)
+{
+	unsigned int entry = ring->tail % GLOSS_RING_ENTRIES;
+
+	if (!++ring->sequence)
+		ring->sequence++;
+	job->sequence = ring->sequence;
+	job->state = GLOSS_JOB_RUNNING;
+	job->begun = ktime_get();
+	gloss_ring_put(ring, entry, job);
+	ring->job[entry] = job;
+	ring->tail++;
+}
+
+/*
+ * Gives the board a job, or ends it if the board has gone. Only one thread at a time does
+ * this: the scheduler's, or the one that has stopped it.
+ */
+void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job)
+{
+	const struct drm_gloss_status gone = { .error = -ENODEV };
+	struct gloss_ring *ring = &gdev->ring;
+	unsigned long flags;
+	bool added;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	added = !gloss_device_gone(gdev);
+	if (added)
+		gloss_ring_add(ring, job);
+	else
+		gloss_job_end(job, &gone);
+	spin_unlock_irqrestore(&ring->lock, flags);
+
+	if (added)
+		gloss_write(gdev, GLOSS_REG_TAIL, FIELD_PREP(GLOSS_REG_TAIL_JOBS, ring->tail));
+}
+
+/* The job at the ring's head, or NULL. */
+static struct gloss_job *gloss_ring_first(struct gloss_ring *ring)
+{
+	lockdep_assert_held(&ring->lock);
+	return ring->head == ring->tail ? NULL : ring->job[ring->head % GLOSS_RING_ENTRIES];
+}
+
+/* Whether the board has ended the job at the ring's head, and how. */
+static bool gloss_ring_ended(struct gloss_ring *ring, const struct gloss_job *job,
+			     struct drm_gloss_status *status)
+{
+	const __le32 *word = ring->shared->completion[ring->head % GLOSS_RING_ENTRIES];
+
+	if (le32_to_cpu(READ_ONCE(word[GLOSS_COMPLETION_SEQUENCE_WORD])) != job->sequence)
+		return false;
+
+	/* The rest of the record, and the response, are not older than its sequence. */
+	dma_rmb();
+	*status = (struct drm_gloss_status) {
+		.error = job->refused,
+		.cause = FIELD_GET(GLOSS_COMPLETION_CAUSE,
+				   le32_to_cpu(word[GLOSS_COMPLETION_CAUSE_WORD])),
+		.offset = le32_to_cpu(word[GLOSS_COMPLETION_OFFSET_WORD]),
+		.response_words = le32_to_cpu(word[GLOSS_COMPLETION_RESPONSE_WORDS_WORD]),
+	};
+	return true;
+}
+
+/* The board worked for a job since it had it, but not before the job ahead had ended. */
+static void gloss_ring_account(struct gloss_ring *ring, const struct gloss_job *job)
+{
+	ktime_t now = ktime_get();
+	ktime_t begun = ktime_after(job->begun, ring->idle) ? job->begun : ring->idle;
+	s64 ns = ktime_to_ns(ktime_sub(now, begun));
+
+	ring->idle = now;
+	ring->busy_ns += ns;
+	ring->jobs++;
+	if (job->file)
+		atomic64_add(ns, &job->file->engine_ns);
+}
+
+static void gloss_ring_note_fault(struct gloss_ring *ring, const struct gloss_job *job,
+				  const struct drm_gloss_status *status)
+{
+	ring->faults++;
+	ring->fault = (struct gloss_ring_fault) {
+		.sequence = job->sequence,
+		.status = *status,
+		.pid = job->file ? job->file->pid : 0,
+		.time = ktime_get(),
+	};
+}
+
+static void gloss_ring_end(struct gloss_ring *ring, struct gloss_job *job,
+			   const struct drm_gloss_status *status)
+{
+	ring->head++;
+	gloss_ring_account(ring, job);
+	if (status->cause)
+		gloss_ring_note_fault(ring, job, status);
+	gloss_job_end(job, status);
+}
+
+/* Ends the jobs that the board has ended; returns how many. */
+unsigned int gloss_ring_reap(struct gloss_ring *ring)
+{
+	struct drm_gloss_status status;
+	struct gloss_job *job;
+	unsigned int ended = 0;
+	unsigned long flags;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	while ((job = gloss_ring_first(ring)) && gloss_ring_ended(ring, job, &status)) {
+		gloss_ring_end(ring, job, &status);
+		ended++;
+	}
+	spin_unlock_irqrestore(&ring->lock, flags);
+	return ended;
+}
+
+/* Ends all jobs of the ring with @error. */
+void gloss_ring_fail(struct gloss_ring *ring, int error)
+{
+	const struct drm_gloss_status status = { .error = error };
+	struct gloss_job *job;
+	unsigned long flags;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	while ((job = gloss_ring_first(ring)))
+		gloss_ring_end(ring, job, &status);
+	spin_unlock_irqrestore(&ring->lock, flags);
+}
+
+/*
+ * Finds who is to blame for a hang: the job with @sequence, or else the first. It will
+ * not be run again, but end with -EIO when its turn comes. False: there is nobody to
+ * blame, as not even an empty job can be run.
+ */
+bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault)
+{
+	struct gloss_job *job;
+	unsigned long flags;
+	bool found;
+	u16 at;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	job = gloss_ring_first(ring);
+	for (at = ring->head; at != ring->tail; at++)
+		if (ring->job[at % GLOSS_RING_ENTRIES]->sequence == sequence)
+			job = ring->job[at % GLOSS_RING_ENTRIES];
+	found = job && job->hangs++ < GLOSS_JOB_HANGS;
+	if (found) {
+		job->refused = job->refused ?: -EIO;
+		gloss_ring_note_fault(ring, job, &fault->status);
+		ring->fault.dma_address = fault->dma_address;
+		*fault = ring->fault;
+	}
+	spin_unlock_irqrestore(&ring->lock, flags);
+	return found;
+}
+
+/*
+ * After a reset: empties the ring. Its jobs wait again, and are pushed again by whoever
+ * has stopped the scheduler.
+ */
+void gloss_ring_rewind(struct gloss_ring *ring)
+{
+	struct gloss_job *job;
+	unsigned long flags;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	for (; (job = gloss_ring_first(ring)); ring->head++)
+		job->state = GLOSS_JOB_WAITING;
+	ring->head = 0;
+	ring->tail = 0;
+	ring->seen_head = 0;
+	ring->seen_progress = 0;
+	memset(ring->shared->completion, 0, sizeof(ring->shared->completion));
+	spin_unlock_irqrestore(&ring->lock, flags);
+}
+
+bool gloss_ring_idle(struct gloss_ring *ring)
+{
+	return READ_ONCE(ring->head) == READ_ONCE(ring->tail);
+}
