@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# Tests of the kernel module alone: what its files say to right, wrong and hostile programs, and
+# what it does when the board fails.
+
+VM_TESTS += user:test_ioctl user:test_submit user:test_isolation:120 root:test_storm:120 \
+	root:test_latency root:test_inspect root:test_fault:120 root:test_unplug:120 \
+	root:test_failslab:120 user:test_fuzz_ioctl
+VM_BENCHES += test_latency
+
+DRIVER_TESTS := $(addprefix $(BUILD)/tests/vm/test_, ioctl submit isolation storm latency inspect \
+	fault unplug failslab fuzz_ioctl)
+$(DRIVER_TESTS): $(BUILD)/tests/vm/gloss_node.o
+
+$(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug): $(BUILD)/tests/vm/vm_board.o
+
+$(BUILD)/tests/vm/test_isolation: $(STREAM_RANDOM_OBJS)
+$(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
+
+# The floor of test_latency, for the kernel that gloss.ko is for.
+FLOOR_BUILD := $(BUILD)/tests/vm/floor
+$(FLOOR_BUILD)/gloss_floor.ko: tests/vm/floor/gloss_floor.c tests/vm/floor/Kbuild $(MODULE_BUILD)/kdir
+	$(call quiet,KBUILD,$@)
+	@mkdir -p $(@D)
+	$(Q)ln -sf $(abspath $(filter tests/%,$^)) $(@D)/
+	$(Q)$(MAKE) --no-print-directory $(if $(filter 0,$(V)),-s) -C $(KDIR) \
+		M=$(abspath $(@D)) W=1 KCFLAGS=-Werror CONFIG_DEBUG_INFO_BTF_MODULES= modules
+	@touch $@
+
+VM_NEEDS += $(FLOOR_BUILD)/gloss_floor.ko

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+/*
+ * What the module tells an operator, in debugfs, fdinfo and tracepoints, is true of jobs
+ * that this program sends. As root.
+ */
+#include <errno.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "faults.h"
+#include "gloss_node.h"
+#include "vm_board.h"
+#include "vm_test.h"
+
+#define BOARD_BYTES (64 * NODE_PAGE)
+#define TRACING "/sys/kernel/tracing"
+
+static const char *pci;
+static struct client client;
+
+/* ---- files ---- */
+
+static void read_text(const char *path, char *text, size_t size)
+{
+	FILE *file = fopen(path, "r");
+	size_t length;
+
+	if (!file)
+		fail_msg("%s: %s", path, strerror(errno));
+	length = fread(text, 1, size - 1, file);
+	text[length] = '\0';
+	fclose(file);
+}
+
+static const char *debugfs(const char *name)
+{
+	static char text[8192];
+	char path[128];
+
+	snprintf(path, sizeof(path), "/sys/kernel/debug/dri/%d/%s", board_minor(pci), name);
+	read_text(path, text, sizeof(text));
+	return text;
+}
+
+static const char *fdinfo(void)
+{
+	static char text[2048];
+	char path[64];
+
+	snprintf(path, sizeof(path), "/proc/self/fdinfo/%d", client.fd);
+	read_text(path, text, sizeof(text));
+	return text;
+}
+
+/* The number behind @key. */
+static uint64_t number(const char *text, const char *key)
+{
+	const char *at = strstr(text, key);
+
+	if (!at)
+		fail_msg("no \"%s\" in: %s", key, text);
+	return strtoull(at + strlen(key), NULL, 0);
+}
+
+static void assert_says(const char *text, const char *part)
+{
+	if (!strstr(text, part))
+		fail_msg("no \"%s\" in: %s", part, text);
+}
+
+static void run_faulty_job(void)
+{
+	client.stream[0] = 0;
+	client.stream[1] = 0xff000000;
+	assert_int_equal(client_run(&client, 2, 0), -EIO);
+}
+
+/* ---- debugfs ---- */
+
+static void the_ring_counts_jobs(void **state)
+{
+	uint64_t ended = number(debugfs("ring"), "ended "), faults = number(debugfs("ring"),
+									    "with a fault ");
+
+	(void)state;
+	assert_true(client_works(&client));
+	assert_true(client_works(&client));
+	run_faulty_job();
+	assert_int_equal(number(debugfs("ring"), "ended "), ended + 3);
+	assert_int_equal(number(debugfs("ring"), "with a fault "), faults + 1);
+}
+
+static void the_ring_shows_who_runs(void **state)
+{
+	volatile uint32_t *window = vm_faults("GLOSS_PCI_MODEL");
+	char pid[32];
+
+	(void)state;
+	snprintf(pid, sizeof(pid), "pid %d", getpid());
+	window[VBOARD_FAULT_SLOW / 4] = 100000;
+	assert_int_equal(client_queue(&client, 0), 0);
+	assert_says(debugfs("ring"), pid);
+	assert_int_equal(client_queue_wait(&client, 0), 0);
+	window[VBOARD_FAULT_SLOW / 4] = 0;
+	assert_null(strstr(debugfs("ring"), pid));
+}
+
+static void the_last_fault_is_told_in_names(void **state)
+{
+	char pid[32];
+
+	(void)state;
+	snprintf(pid, sizeof(pid), "pid %d", getpid());
+	run_faulty_job();
+	assert_says(debugfs("fault"), pid);
+	assert_says(debugfs("fault"), "cause opcode");
+	assert_says(debugfs("fault"), "word 1 ");
+}
+
+static void registers_and_counters_are_shown(void **state)
+{
+	uint64_t jobs = number(debugfs("counters"), "JOBS = ");
+
+	(void)state;
+	assert_int_equal(number(debugfs("registers"), "IDENTITY = "), 0x534f4c47);
+	assert_int_equal(number(debugfs("registers"), "VERSION = "), GLOSS_VERSION);
+	assert_true(client_works(&client));
+	assert_int_equal(number(debugfs("counters"), "JOBS = "), jobs + 1);
+}
+
+static void board_memory_is_shown(void **state)
+{
+	uint64_t used = number(debugfs("memory"), "used ");
+
+	(void)state;
+	assert_in_range(used, BOARD_BYTES, UINT32_MAX);
+	assert_int_equal(node_destroy(client.fd, client.board), 0);
+	assert_int_equal(number(debugfs("memory"), "used "), used - BOARD_BYTES);
+}
+
+/* ---- fdinfo ---- */
+
+static void fdinfo_names_driver_and_board(void **state)
+{
+	(void)state;
+	assert_says(fdinfo(), "drm-driver:\tgloss\n");
+	assert_says(fdinfo(), strrchr(pci, '/') + 1);
+	assert_int_not_equal(number(fdinfo(), "drm-client-id:\t"), 0);
+}
+
+static void fdinfo_counts_memory(void **state)
+{
+	uint64_t host = number(fdinfo(), "drm-memory-host:\t");
+	uint32_t handle;
+
+	(void)state;
+	assert_int_equal(host, CLIENT_HOST_BYTES / 1024);
+	assert_int_equal(number(fdinfo(), "drm-memory-board:\t"), BOARD_BYTES / 1024);
+	assert_int_equal(node_create(client.fd, DRM_GLOSS_GEM_HOST, 1 << 20, &handle), 0);
+	assert_int_equal(number(fdinfo(), "drm-memory-host:\t"), host + 1024);
+	assert_int_equal(node_destroy(client.fd, handle), 0);
+	assert_int_equal(number(fdinfo(), "drm-memory-host:\t"), host);
+}
+
+static void fdinfo_counts_engine_time(void **state)
+{
+	volatile uint32_t *window = vm_faults("GLOSS_PCI_MODEL");
+	uint64_t before = number(fdinfo(), "drm-engine-gloss:\t");
+
+	(void)state;
+	window[VBOARD_FAULT_SLOW / 4] = 50000;
+	assert_true(client_works(&client));
+	assert_true(client_works(&client));
+	window[VBOARD_FAULT_SLOW / 4] = 0;
+	assert_in_range(number(fdinfo(), "drm-engine-gloss:\t") - before, 90000000, 2000000000);
+}
+
+/* ---- tracepoints ---- */
+
+static void a_jobs_life_can_be_traced(void **state)
+{
+	static const char *const events[] = {
+		"gloss_submit: ", "gloss_run: ", "gloss_done: ", "gloss_fault: ",
+	};
+	static char text[1 << 16];
+	char name[64];
+	const char *at = text;
+
+	(void)state;
+	snprintf(name, sizeof(name), " client=%llu ",
+		 (unsigned long long)number(fdinfo(), "drm-client-id:\t"));
+	assert_int_equal(vm_write_file(TRACING "/trace", "\n"), 0);
+	assert_int_equal(vm_write_file(TRACING "/events/gloss/enable", "1"), 0);
+	run_faulty_job();
+	assert_int_equal(vm_write_file(TRACING "/events/gloss/enable", "0"), 0);
+	read_text(TRACING "/trace", text, sizeof(text));
+	for (size_t i = 0; i < sizeof(events) / sizeof(events[0]); i++)
+		assert_says(text, events[i]);
+	for (int lines = 0; (at = strstr(at, name)); at++)
+		assert_in_range(++lines, 1, 8);
+	assert_says(text, "error=0 cause=1 offset=1 ");
+}
+
+/* ---- set up ---- */
+
+static int open_file(void **state)
+{
+	(void)state;
+	pci = vm_env("GLOSS_PCI_MODEL");
+	return client_open(&client, vm_env("GLOSS_NODE_MODEL"), BOARD_BYTES);
+}
+
+static int close_file(void **state)
+{
+	(void)state;
+	client_close(&client);
+	return 0;
+}
+
+#define inspect_test(name) cmocka_unit_test_setup_teardown(name, open_file, close_file)
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		inspect_test(the_ring_counts_jobs),
+		inspect_test(the_ring_shows_who_runs),
+		inspect_test(the_last_fault_is_told_in_names),
+		inspect_test(registers_and_counters_are_shown),
+		inspect_test(board_memory_is_shown),
+		inspect_test(fdinfo_names_driver_and_board),
+		inspect_test(fdinfo_counts_memory),
+		inspect_test(fdinfo_counts_engine_time),
+		inspect_test(a_jobs_life_can_be_traced),
+	};
+
+	return cmocka_run_group_tests(tests, open_file, NULL);
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+/*
+ * How long an empty job takes from SUBMIT to its fence, against the least that any driver
+ * takes: the virtual board's doorbell, its interrupt, and the waiting thread's wake-up
+ * (tests/vm/floor). Both in this run, on the same board, each across the system call.
+ */
+#include <libgen.h>
+#include <limits.h>
+#include <sys/syscall.h>
+
+#include "vm_board.h"
+#include "gloss_node.h"
+#include "vm_test.h"
+
+enum {
+	WARM = 50,
+	TIMES = 1000,			/* of each round */
+};
+
+/* More than this many times the floor is too slow. */
+#define RATIO_MOST 3.0
+
+static double now_us(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return 1e6 * (double)now.tv_sec + 1e-3 * (double)now.tv_nsec;
+}
+
+static int compare(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+/* Median of TIMES calls of @once. */
+static double median_us(void (*once)(void *data), void *data)
+{
+	static double took[TIMES];
+
+	for (int n = 0; n < WARM; n++)
+		once(data);
+	for (int n = 0; n < TIMES; n++) {
+		double start = now_us();
+
+		once(data);
+		took[n] = now_us() - start;
+	}
+	qsort(took, TIMES, sizeof(took[0]), compare);
+	return took[TIMES / 2];
+}
+
+/* ---- a job ---- */
+
+struct job {
+	int fd;
+	uint32_t timeline;
+	uint64_t point;
+};
+
+static void job_once(void *data)
+{
+	struct job *job = data;
+	struct drm_gloss_sync out = { job->timeline, DRM_GLOSS_SYNC_TIMELINE, ++job->point };
+	struct drm_gloss_submit submit = {
+		.out_syncs = (uintptr_t)&out,
+		.out_sync_count = 1,
+		.sync_stride = sizeof(out),
+	};
+	int err = node_submit(job->fd, &submit);
+
+	if (!err)
+		err = node_wait(job->fd, job->timeline, job->point, NODE_PATIENCE_MS);
+	if (err)
+		vm_fail("an empty job: %s", strerror(-err));
+}
+
+static double submit_us(const char *pci)
+{
+	char path[BOARD_PATH];
+	struct job job = { .point = 0 };
+	double median;
+
+	if (board_node(pci, NODE_PATIENCE_MS, path))
+		vm_fail("%s has no render node", pci);
+	job.fd = node_open(path);
+	if (job.fd < 0 || node_sync_new(job.fd, &job.timeline))
+		vm_fail("%s: %s", path, strerror(errno));
+	median = median_us(job_once, &job);
+	close(job.fd);
+	return median;
+}
+
+/* ---- the floor ---- */
+
+static void floor_load(void)
+{
+	char self[PATH_MAX] = "", path[PATH_MAX];
+	int fd;
+
+	if (readlink("/proc/self/exe", self, sizeof(self) - 1) < 0)
+		vm_fail("/proc/self/exe: %s", strerror(errno));
+	snprintf(path, sizeof(path), "%.4000s/floor/gloss_floor.ko", dirname(self));
+	fd = open(path, O_RDONLY | O_CLOEXEC);
+	if (fd < 0)
+		vm_fail("%s: %s", path, strerror(errno));
+	vm_expect("^gloss_floor: version magic");
+	if (syscall(SYS_finit_module, fd, "", 0)) {
+		if (errno == ENOEXEC)
+			vm_skip("a gloss_floor.ko for this kernel");
+		vm_fail("load %s: %s", path, strerror(errno));
+	}
+	vm_expect_end();
+	close(fd);
+}
+
+static void floor_once(void *data)
+{
+	if (read(*(int *)data, NULL, 0))
+		vm_fail("the doorbell: %s", strerror(errno));
+}
+
+/* A fresh devtmpfs entry is there when bind returns, udev or not. */
+static double floor_us(void)
+{
+	int fd = open("/dev/gloss_floor", O_RDONLY | O_CLOEXEC);
+	double median;
+
+	if (fd < 0)
+		vm_fail("/dev/gloss_floor: %s", strerror(errno));
+	median = median_us(floor_once, &fd);
+	close(fd);
+	return median;
+}
+
+/* Hands the board from one driver to the other. */
+static void hand_over(const char *pci, const char *driver)
+{
+	int err = board_unbind(pci);
+
+	if (!err)
+		err = board_write(pci, "driver_override", driver);
+	if (!err)
+		err = board_bind(pci, driver);
+	if (err)
+		vm_fail("bind %s to %s: %s", pci, driver, strerror(-err));
+}
+
+/* ---- both, several times: other programs may disturb one round ---- */
+
+int main(void)
+{
+	const char *pci = vm_env("GLOSS_PCI_MODEL");
+	double submit = 0, floor = 0, vs_floor;
+
+	floor_load();
+	for (int round = 0; round < 3; round++) {
+		double took = submit_us(pci);
+
+		if (!round || took < submit)
+			submit = took;
+		hand_over(pci, "gloss_floor");
+		took = floor_us();
+		if (!round || took < floor)
+			floor = took;
+		hand_over(pci, "gloss");
+	}
+	board_write(pci, "driver_override", "\n");
+	if (syscall(SYS_delete_module, "gloss_floor", O_NONBLOCK))
+		vm_fail("unload gloss_floor: %s", strerror(errno));
+	vs_floor = submit / floor;
+	VM_PRINT("an empty job takes %.1f us, a bare doorbell %.1f us\n", submit, floor);
+	vm_figures((struct vm_figure[]){ { "drm.submit_us", submit },
+					 { "drm.submit_vs_floor", vs_floor } }, 2);
+	if (vs_floor > RATIO_MOST)
+		vm_fail("a job takes %.2f times the floor, more than %.1f", vs_floor, RATIO_MOST);
+	return VM_PASS;
+}
