@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# The library and gloss-view on the driver's nodes.
+
+VM_TESTS += user:test_bunny user:test_stream_drm user:test_triangle root:test_view_device
+VM_NEEDS += $(BUILD)/gloss-view $(BUILD)/tests/vm/triangle-auto $(BUILD)/tests/vm/triangle-model
+
+STREAM_RANDOM_SOURCES := $(addprefix tests/stream/, \
+	stream_random.c stream_random_triangle.c stream_random_damage.c)
+$(BUILD)/tests/vm/test_stream_drm: VM_CFLAGS += -Itests/stream
+$(BUILD)/tests/vm/test_stream_drm: $(STREAM_RANDOM_SOURCES)
+
+# The first program of README.md, on the first board there is and on another.
+$(BUILD)/tests/vm/triangle-%: examples/triangle.c $(BUILD)/libaccel.a
+	$(call quiet,CC,$< on $*)
+	@mkdir -p $(@D)
+	$(Q)sed 's/"auto"/"$*"/' $< | $(CC) $(ACCEL_CFLAGS) $(CFLAGS) -x c - -x none \
+		$(BUILD)/libaccel.a $(ACCEL_LIBS) -o $@
