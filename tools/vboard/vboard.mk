@@ -24,5 +24,27 @@ $(BUILD)/vboard-pci: $(VBOARD_MAIN) $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS) \
 
 -include $(VBOARD_OBJECTS:.o=.d) $(VBOARD_MAIN:.o=.d)
 
+# Unit tests, of its files and of a board in its slot.
+VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_vboard_faults \
+	test_vboard_door
+
+$(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $(VBOARD_OBJECTS) \
+		$(BOARD_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+		$(filter-out %.h,$^) -lcmocka $(ACCEL_LIBS) -o $@
+
+UNIT_TESTS += $(VBOARD_TESTS)
+
+.PHONY: vboard-sanitize
+vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
+	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
+		$(VBOARD_TESTS:%=run-%)
+	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
+		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door
+
+CHECKS += vboard-sanitize
+
 LINT_C += -Idriver
 ALL += $(BUILD)/vboard-pci
