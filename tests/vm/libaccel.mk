@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # The library and gloss-view on the driver's nodes.
 
-VM_TESTS += user:test_bunny user:test_stream_drm user:test_triangle root:test_view_device
+VM_TESTS += user:test_bunny user:test_stream_drm user:test_triangle root:test_view_device \
+	root:test_library
 VM_NEEDS += $(BUILD)/gloss-view $(BUILD)/tests/vm/triangle-auto $(BUILD)/tests/vm/triangle-model
 
-STREAM_RANDOM_SOURCES := $(addprefix tests/stream/, \
-	stream_random.c stream_random_triangle.c stream_random_damage.c)
 $(BUILD)/tests/vm/test_stream_drm: VM_CFLAGS += -Itests/stream
-$(BUILD)/tests/vm/test_stream_drm: $(STREAM_RANDOM_SOURCES)
+$(BUILD)/tests/vm/test_stream_drm: $(STREAM_RANDOM_OBJS)
+$(BUILD)/tests/vm/test_library: $(BUILD)/tests/vm/vm_board.o
 
 # The first program of README.md, on the first board there is and on another.
 $(BUILD)/tests/vm/triangle-%: examples/triangle.c $(BUILD)/libaccel.a

@@ -11,8 +11,8 @@
 #include "vm_test.h"
 
 #define THREADS 4
-#define JOBS 300			/* on the C model, of all threads */
-#define JOBS_RTL 12
+#define JOBS 400			/* on the C model, of all threads */
+#define JOBS_RTL 24
 #define DAMAGED_EVERY 3
 #define WRITE_WORDS (GLOSS_LENGTH_MAX - 2)
 #define READ_WORDS 65535u
