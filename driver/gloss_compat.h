@@ -7,8 +7,29 @@
 #define GLOSS_COMPAT_H
 
 #include <drm/gpu_scheduler.h>
+#include <linux/pci.h>
 
 #include "gloss_features.h"
+
+#ifndef PCI_IRQ_INTX
+#define PCI_IRQ_INTX	PCI_IRQ_LEGACY
+#endif
+
+/* Of struct drm_driver: what later kernels do by themselves. */
+#ifdef GLOSS_HAVE_GEM_PRIME_MMAP
+#define GLOSS_COMPAT_PRIME \
+	.prime_handle_to_fd = drm_gem_prime_handle_to_fd, \
+	.prime_fd_to_handle = drm_gem_prime_fd_to_handle, \
+	.gem_prime_mmap = drm_gem_prime_mmap,
+#else
+#define GLOSS_COMPAT_PRIME
+#endif
+
+#ifdef GLOSS_HAVE_DRIVER_DATE
+#define GLOSS_COMPAT_DATE	.date = "20261125",
+#else
+#define GLOSS_COMPAT_DATE
+#endif
 
 #ifdef GLOSS_HAVE_SCHED_PRIORITY_LOW
 #define GLOSS_SCHED_PRIORITY_LOW	DRM_SCHED_PRIORITY_LOW
@@ -51,6 +72,18 @@ static inline int gloss_compat_sched_job_init(struct drm_sched_job *job,
 	return drm_sched_job_init(job, entity, 1, owner);
 #else
 	return drm_sched_job_init(job, entity, owner);
+#endif
+}
+
+/* After drm_sched_stop() and drm_sched_resubmit_jobs(). */
+static inline void gloss_compat_sched_start(struct drm_gpu_scheduler *sched)
+{
+#if defined(GLOSS_HAVE_SCHED_START_FULL)
+	drm_sched_start(sched, true);
+#elif defined(GLOSS_HAVE_SCHED_START_ERROR)
+	drm_sched_start(sched, 0);
+#else
+	drm_sched_start(sched);
 #endif
 }
 
