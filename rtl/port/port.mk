@@ -26,3 +26,29 @@ $(BUILD)/sim/accel-board-%.so: $(BOARD_WRAPPER) $(BOARD_SOURCES) rtl/gloss_hw.sv
 
 BOARD_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-board-%.so)
 ALL += $(BOARD_RTL_PLUGIN)
+
+# The port alone, at each width of its own; port_gate alone.
+PORT_CORES := 32-1-32 64-4-64 64-8-128
+PORT_TB := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h port_core.h tb.h)
+PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
+	ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
+
+define port_bench
+$(BUILD)/rtl/port-$(1)-$(2)-$(3)/bench: $(PORT_TB) $(PORT_TB_SOURCES) rtl/gloss_hw.svh driver/gloss_regs.h libaccel/gloss_packets.h
+	$$(call quiet,RTL,$$@)
+	$(Q)mkdir -p $$(@D)
+	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_pci \
+		-GTileSize=$(1) -GPixelsPerClock=$(2) -GStreamBits=$(3) -Irtl --Mdir $$(@D) -o bench \
+		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" -CFLAGS "-DTILE=$(1) -DLANES=$(2) -DSTREAM=$(3) \
+		-I$$(CURDIR)/driver -I$$(CURDIR)/libaccel" \
+		$$(PORT_TB_SOURCES) $$(CURDIR)/tests/rtl/tb_port_pci.cpp >$$(@D)/log || \
+		{ cat $$(@D)/log; exit 1; }
+PORT_BENCHES += $(BUILD)/rtl/port-$(1)-$(2)-$(3)/bench
+endef
+$(foreach core,$(PORT_CORES),$(eval $(call port_bench,$(word 1,$(subst -, ,$(core))),$(word 2,$(subst -, ,$(core))),$(word 3,$(subst -, ,$(core))))))
+
+.PHONY: rtl-port
+rtl-port: $(PORT_BENCHES) ## the PCI port: jobs, interrupts, refused DMA, resets, with random stalls
+	$(Q)for bench in $^; do $$bench || exit 1; done
+
+CHECKS += rtl-port

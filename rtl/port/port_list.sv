@@ -10,6 +10,7 @@ module port_list #(
   input  logic                  start_i,    // only when idle
   input  logic [63:3]           list_i,
   input  logic [31:0]           words_i,    // in its pages
+  input  logic                  wanted_i,   // hold back while nobody has use for pages
   input  logic                  stop_i,     // read no more, drop what is here
   output logic                  idle_o,     // all is read
   output logic                  quiet_o,    // nothing is being read or asked for
@@ -34,7 +35,7 @@ module port_list #(
   logic [63:12] entry;
   logic pages_valid;
 
-  assign read_valid_o = left_q != '0 && !asked_q && room && !stop_i;
+  assign read_valid_o = left_q != '0 && wanted_i && !asked_q && room && !stop_i;
   assign read_address_o = address_q;
   assign idle_o = left_q == '0 && !asked_q;
   assign quiet_o = !asked_q && !read_valid_o;

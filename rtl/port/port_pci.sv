@@ -6,10 +6,10 @@
 //                  |---> list -> write <----------- core's response
 //   registers <- complete <------------------------ core's status
 //
-// While a job runs, the next one's descriptor, slot table and first list entry are read ahead. Reads of all share one
-// channel (host_read), writes the other (host_write); between them and the host stands a gate, so that everything
-// behind it can be reset at any time. The same reset is the core's, and whoever stands before the core's memory stops
-// and lets go as the gate does (memory_*).
+// While a job runs, the next one's descriptor, slot table and first pages of the stream's list are read ahead; the
+// response's list is read when the core answers. Reads of all share one channel (host_read), writes the other
+// (host_write); between them and the host stands a gate, so that everything behind it can be reset at any time. The
+// same reset is the core's, and whoever stands before the core's memory stops and lets go as the gate does (memory_*).
 //
 // At the host: a descriptor is one burst, a slot table four of 64 bytes, a list entry one of 8 bytes, pages are read and
 // written in bursts that end on a multiple of 256 bytes or with the job, a completion is one. INCR, no IDs, answers in
@@ -214,7 +214,7 @@ module port_pci #(
   port_list #(.StreamBits(StreamBits)) u_stream_list (
     .clk_i, .rst_ni(core_rst_n),
     .start_i(list_start), .list_i({job.stream_list_high, job.stream_list_low[31:3]}),
-    .words_i(job.stream_words), .stop_i(1'b0),
+    .words_i(job.stream_words), .wanted_i(1'b1), .stop_i(1'b0),
     .idle_o(stream_list_idle), .quiet_o(stream_list_quiet),
     /* verilator lint_off PINCONNECTEMPTY */
     .empty_o(), // a stream takes all of its pages
@@ -230,7 +230,8 @@ module port_pci #(
   port_list #(.StreamBits(StreamBits)) u_response_list (
     .clk_i, .rst_ni(core_rst_n),
     .start_i(start), .list_i({job.response_list_high, job.response_list_low[31:3]}),
-    .words_i(job.response_words), .stop_i(response_list_stop),
+    .words_i(job.response_words), .wanted_i(response_valid_i || !written),
+    .stop_i(response_list_stop),
     /* verilator lint_off PINCONNECTEMPTY */
     .idle_o(), .quiet_o(), // empty says more, and it is never read ahead
     /* verilator lint_on PINCONNECTEMPTY */
