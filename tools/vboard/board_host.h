@@ -55,8 +55,10 @@ public:
 			writes_.push_back(burst(core.host_awaddr_o, core.host_awlen_o));
 		if (core.host_wvalid_o)
 			beats_.push_back(beat(core));
-		while (!writes_.empty() && beats_.size() >= writes_.front().beats)
-			write();
+		while (!writes_.empty() && write(writes_.front())) {
+			answers_.push_back(std::move(writes_.front()));
+			writes_.pop_front();
+		}
 	}
 
 private:
@@ -88,8 +90,8 @@ private:
 
 		burst.given = true;
 		burst.data.assign(burst.beats * BeatBytes, 0);
-		burst.refused = !host_->read(host_->data, burst.address, &burst.data[skip],
-					     burst.beats * BeatBytes - skip);
+		burst.refused = host_->read(host_->data, burst.address, &burst.data[skip],
+					    burst.beats * BeatBytes - skip) != GLOSS_DMA_DONE;
 	}
 
 	void drive_read(Core &core)
@@ -121,24 +123,36 @@ private:
 		return beat;
 	}
 
-	/* All data of the oldest burst are there. */
-	void write()
+	/* Gives the burst its data, if they are all there. */
+	bool gather(Burst &burst)
 	{
-		Burst burst = writes_.front();
-
-		writes_.pop_front();
+		if (beats_.size() < burst.beats)
+			return false;
 		for (unsigned i = 0; i < burst.beats; i++) {
 			const auto *bytes = reinterpret_cast<const uint8_t *>(beats_.front().word);
 
 			burst.data.insert(burst.data.end(), bytes, bytes + beats_.front().bytes);
 			beats_.pop_front();
 		}
-		/* A reset has taken the data back: nothing is written. */
+		burst.due = now_;
+		burst.given = true;
+		return true;
+	}
+
+	/* False: the burst, the oldest, is not written yet. */
+	bool write(Burst &burst)
+	{
+		enum gloss_dma answer = GLOSS_DMA_DONE;
+
+		if ((!burst.given && !gather(burst)) || burst.due > now_)
+			return false;
+		/* Unless a reset has taken the data back. */
 		if (!burst.data.empty())
-			burst.refused = !host_->write(host_->data, burst.address, burst.data.data(),
-						      burst.data.size());
+			answer = host_->write(host_->data, burst.address, burst.data.data(),
+					      burst.data.size());
+		burst.refused = answer == GLOSS_DMA_REFUSED;
 		burst.due = now_ + Latency;
-		answers_.push_back(std::move(burst));
+		return answer != GLOSS_DMA_LATER;
 	}
 
 	const gloss_board_host *host_;
