@@ -47,6 +47,16 @@ PORT_BENCHES += $(BUILD)/rtl/port-$(1)-$(2)-$(3)/bench
 endef
 $(foreach core,$(PORT_CORES),$(eval $(call port_bench,$(word 1,$(subst -, ,$(core))),$(word 2,$(subst -, ,$(core))),$(word 3,$(subst -, ,$(core))))))
 
+GATE_SOURCES := rtl/port/port_gate.sv rtl/lib/stream_fifo.sv rtl/lib/stream_register.sv
+$(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tests/rtl/tb.h $(GATE_SOURCES)
+	$(call quiet,RTL,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_gate \
+		-GDataBits=$$((32 * $*)) --Mdir $(@D) -o bench \
+		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" -CFLAGS "-DLANES=$*" \
+		$(GATE_SOURCES) $(CURDIR)/tests/rtl/tb_port_gate.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
+PORT_BENCHES += $(addprefix $(BUILD)/rtl/,gate-1/bench gate-8/bench)
+
 .PHONY: rtl-port
 rtl-port: $(PORT_BENCHES) ## the PCI port: jobs, interrupts, refused DMA, resets, with random stalls
 	$(Q)for bench in $^; do $$bench || exit 1; done

@@ -3,8 +3,8 @@
 // takes nothing more of the master and brings to its end what is under way: addresses it has taken are given, missing
 // data are made up with no byte enabled, answers are taken and dropped. From stopped_o on the master may be reset; the
 // gate is opened again by taking stop_i back when idle_o says that nothing is under way.
-// Addresses and answers of the master are a clock late; its data wait until their address was taken here, and WLAST
-// is made from the address' length.
+// Addresses go through in a clock. Data wait until their address is out, not until it is taken, and WLAST is made from
+// its length.
 module port_gate #(
   parameter int unsigned AddressBits = 32,
   parameter int unsigned DataBits = 32
@@ -67,7 +67,10 @@ module port_gate #(
   localparam int unsigned LengthsDepth = 8;
 
   logic [CountBits-1:0] writes_q, reads_q;
-  logic write_open, write_ready, write_take, read_open, read_ready, read_take;
+  logic write_take, read_open, read_ready, read_take;
+  logic address_valid_q;
+  logic [AddressBits-1:0] address_q;
+  logic [7:0] address_length_q;
   logic length_ready, length_valid;
   logic [7:0] length, beat_q;
   logic closed_q;  // for the master's data
@@ -76,20 +79,15 @@ module port_gate #(
   assign stopped_o = closed_q;
   assign idle_o = writes_q == '0 && reads_q == '0;
 
-  assign write_open = !stop_i && length_ready && writes_q != '1;
-  assign master_awready_o = write_open && write_ready;
+  assign master_awready_o = !stop_i && length_ready && writes_q != '1 && (!address_valid_q || axi_awready_i);
   assign write_take = master_awvalid_i && master_awready_o;
+  assign axi_awvalid_o = address_valid_q;
+  assign axi_awaddr_o = address_q;
+  assign axi_awlen_o = address_length_q;
 
   assign read_open = !stop_i && reads_q != '1;
   assign master_arready_o = read_open && read_ready;
   assign read_take = master_arvalid_i && master_arready_o;
-
-  stream_register #(.Width(AddressBits + 8)) u_write_address (
-    .clk_i, .rst_ni,
-    .valid_i(master_awvalid_i && write_open), .ready_o(write_ready),
-    .data_i({master_awlen_i, master_awaddr_i}),
-    .valid_o(axi_awvalid_o), .ready_i(axi_awready_i), .data_o({axi_awlen_o, axi_awaddr_o})
-  );
 
   stream_register #(.Width(AddressBits + 8)) u_read_address (
     .clk_i, .rst_ni,
@@ -123,13 +121,22 @@ module port_gate #(
   assign master_rlast_o = axi_rlast_i;
   assign master_rresp_o = axi_rresp_i;
 
+  always_ff @(posedge clk_i) begin
+    if (write_take) begin
+      address_q <= master_awaddr_i;
+      address_length_q <= master_awlen_i;
+    end
+  end
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
+      address_valid_q <= 1'b0;
       closed_q <= 1'b0;
       beat_q <= '0;
       writes_q <= '0;
       reads_q <= '0;
     end else begin
+      address_valid_q <= write_take || (address_valid_q && !axi_awready_i);
       // A beat that is offered stays until it is taken.
       closed_q <= stop_i && (closed_q || !axi_wvalid_o || axi_wready_i);
       if (beat_take) beat_q <= axi_wlast_o ? '0 : beat_q + 1'b1;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Host memory before the host_* ports: pages at any 64-bit address, and the rules of AXI4 checked:
- * what is valid stays until taken, bursts stay in 4 KiB, WLAST ends them. What is written can be
+ * what is valid stays until taken, bursts stay in 4 KiB, WLAST ends them; data come not before their
+ * address. What is written can be
  * seen from its answer on. An access may be refused by its number; one of a page that is not there
  * is the bench's failure if strict, else it is refused too.
  */
@@ -207,8 +208,12 @@ private:
 			 "W is taken back");
 		w_waits = top.host_wvalid_o && !top.host_wready_i;
 		held = beat;
-		if (top.host_wvalid_o && !w_waits)
-			beats.push_back(beat);
+		TB_CHECK(!top.host_wvalid_o || full_bursts < addresses.size() + aw_waits,
+			 "data come before their address");
+		if (!top.host_wvalid_o || w_waits)
+			return;
+		beats.push_back(beat);
+		full_bursts += beat.last;
 	}
 
 	/* Bursts whose address and data are both there. */
@@ -218,6 +223,7 @@ private:
 			Burst write = addresses.front();
 
 			addresses.pop_front();
+			full_bursts--;
 			for (uint32_t n = 0; n < write.beats; n++)
 				take(write, n + 1 == write.beats);
 			write.due = due(clock);
@@ -252,6 +258,7 @@ private:
 	Beat held = {};
 	std::deque<Burst> reads, addresses, answers;
 	std::deque<Beat> beats;
+	size_t full_bursts = 0;			/* in beats */
 };
 
 #endif
