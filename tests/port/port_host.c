@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+/* The host's memory and its driver; see port_host.h. */
 #include "port_host.h"
 
 #include <endian.h>
 #include <stdlib.h>
 #include <string.h>
 
-static uint64_t next_random(uint64_t *state)
+/* Calls of work() for what no test has work enough for. */
+#define WORK_FOR_EVER 30000
+
+uint64_t port_host_random(uint64_t *state)
 {
 	*state += UINT64_C(0x9e3779b97f4a7c15);
 	uint64_t z = (*state ^ *state >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -29,7 +33,10 @@ static uint8_t *host_access(struct port_host *host, uint64_t address, uint32_t b
 	if (host->accesses < PORT_HOST_ACCESSES)
 		host->access[host->accesses] = (struct port_access){ address, bytes, write };
 	host->accesses++;
-	return host->accesses == host->refuse ? NULL : host_at(host, address, bytes);
+	if (host->accesses == host->refuse ||
+	    (address < host->poison + host->poison_bytes && host->poison < address + bytes))
+		return NULL;
+	return host_at(host, address, bytes);
 }
 
 static enum gloss_dma host_read(void *data, uint64_t address, void *to, uint32_t bytes)
@@ -86,7 +93,7 @@ static void host_event(void *data)
 static void shuffle(struct port_host *host, uint64_t *state)
 {
 	for (uint32_t n = 0; n < PORT_HOST_PAGES; n++) {
-		uint32_t other = (uint32_t)(next_random(state) % (n + 1));
+		uint32_t other = (uint32_t)(port_host_random(state) % (n + 1));
 
 		host->page[n] = host->page[other];
 		host->page[other] = n;
@@ -104,7 +111,7 @@ bool port_host_init(struct port_host *host, const struct gloss_board_ops *ops, v
 	if (!host->memory)
 		return false;
 	for (uint32_t n = 0; n < PORT_HOST_BYTES; n += 8) {
-		uint64_t word = next_random(&seed);
+		uint64_t word = port_host_random(&seed);
 
 		memcpy(host->memory + n, &word, sizeof(word));
 	}
@@ -131,10 +138,24 @@ void port_host_write(struct port_host *host, uint32_t offset, uint32_t value)
 	host->ops->write(host->board, offset, value);
 }
 
-void port_host_work(struct port_host *host)
+bool port_host_work(struct port_host *host)
 {
-	while (host->ops->work(host->board))
-		;
+	for (uint32_t n = 0; n < WORK_FOR_EVER; n++)
+		if (!host->ops->work(host->board))
+			return true;
+	return false;
+}
+
+bool port_host_reset(struct port_host *host)
+{
+	host->later = 0;
+	port_host_write(host, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
+	for (uint32_t n = 0; n < WORK_FOR_EVER; n++) {
+		if (!(port_host_read(host, GLOSS_REG_CONTROL) & GLOSS_REG_CONTROL_RESET))
+			return true;
+		host->ops->work(host->board);
+	}
+	return false;
 }
 
 uint32_t port_host_get(const struct port_host *host, uint64_t address)
@@ -196,10 +217,10 @@ uint64_t port_host_word(const struct port_host *host, uint64_t list, uint32_t wo
 
 void port_host_start(struct port_host *host, uint32_t log2, uint32_t mask)
 {
-	host->log2 = log2;
+	host->log2 = log2 < GLOSS_RING_MAX_LOG2 ? log2 : GLOSS_RING_MAX_LOG2;
 	host->tail = 0;
-	host->ring = port_host_take(host, 4 * GLOSS_JOB_DESCRIPTOR_WORDS << log2, 64);
-	host->completion = port_host_take(host, 4 * GLOSS_COMPLETION_WORDS << log2, 16);
+	host->ring = port_host_take(host, 4 * GLOSS_JOB_DESCRIPTOR_WORDS << host->log2, 64);
+	host->completion = port_host_take(host, 4 * GLOSS_COMPLETION_WORDS << host->log2, 16);
 	port_host_write(host, GLOSS_REG_RING_LOW, (uint32_t)host->ring);
 	port_host_write(host, GLOSS_REG_RING_HIGH, (uint32_t)(host->ring >> 32));
 	port_host_write(host, GLOSS_REG_RING_LOG2, log2);

@@ -46,9 +46,13 @@ struct port_host {
 
 	/* What shall happen. */
 	uint64_t refuse;		/* the access, counted from 1, that is refused; 0: none */
+	uint64_t poison;		/* so are accesses that touch these bytes */
+	uint32_t poison_bytes;
 	uint32_t later;			/* writes of completions that are to be asked again */
 	void (*on_event)(struct port_host *host);
 };
+
+uint64_t port_host_random(uint64_t *state);
 
 /* Memory of random content and a board of @ops with @memory. False: out of memory. */
 bool port_host_init(struct port_host *host, const struct gloss_board_ops *ops, void *memory,
@@ -57,8 +61,10 @@ void port_host_fini(struct port_host *host);
 
 uint32_t port_host_read(struct port_host *host, uint32_t offset);
 void port_host_write(struct port_host *host, uint32_t offset, uint32_t value);
-/* Until there is nothing left to do. */
-void port_host_work(struct port_host *host);
+/* Until there is nothing left to do. False: that takes for ever. */
+bool port_host_work(struct port_host *host);
+/* Resets the board and waits for it. False: as above. */
+bool port_host_reset(struct port_host *host);
 
 /* Words of host memory. */
 uint32_t port_host_get(const struct port_host *host, uint64_t address);
@@ -72,7 +78,7 @@ uint64_t port_host_list(struct port_host *host, uint32_t words);
 /* Where word @word is that the pages of @list have. */
 uint64_t port_host_word(const struct port_host *host, uint64_t list, uint32_t word);
 
-/* Takes a ring, sets the board up and enables it. */
+/* Takes a ring, sets the board up and enables it. A @log2 too large is written all the same. */
 void port_host_start(struct port_host *host, uint32_t log2, uint32_t mask);
 /* Puts @job with lists and pages of its own into memory and describes it; @job's response is not
  * looked at. */

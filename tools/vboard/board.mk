@@ -30,3 +30,23 @@ $(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%
 
 UNIT_TESTS += $(BOARD_UNIT_TESTS)
 SANITIZED_TESTS += $(BOARD_UNIT_TESTS)
+
+# The board of the models against Verilated ones, one of each width of the port. A round has three
+# batches of up to four jobs.
+PORT_ROUNDS ?= 250
+PORT_TEST_BOARDS := $(addprefix $(BUILD)/sim/accel-board-,t32-k1.so t64-k2.so t64-k8.so)
+
+$(BUILD)/tests/port/test_boards: tests/port/test_boards.c $(PORT_HOST_OBJ) \
+		$(BOARD_MODEL_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard -Itests/stream $(CFLAGS) -MMD -MP \
+		-MF $@.d $(filter-out %.h,$^) -ldl -o $@
+
+-include $(BUILD)/tests/port/test_boards.d
+
+.PHONY: check-port
+check-port: $(BUILD)/tests/port/test_boards $(PORT_TEST_BOARDS) ## the PCI port: model against RTL
+	$(Q)for board in $(PORT_TEST_BOARDS); do $< -n $(PORT_ROUNDS) $$board || exit 1; done
+
+CHECKS += check-port

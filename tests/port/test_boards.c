@@ -1,0 +1,522 @@
+// SPDX-License-Identifier: MIT
+/*
+ * Two boards behind board.h, on two hosts that are the same: after the same random jobs,
+ * valid, damaged and with too little room, all registers, all of host memory and all of
+ * board memory are the same too. So they are when the host refuses an address, as far as
+ * rtl/gloss.xml says, and after a reset in the middle of anything.
+ *
+ * test_boards [-n ROUNDS] PLUGIN: the board of the plugin and that of the C model
+ */
+#include <dlfcn.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "port_host.h"
+#include "stream_random.h"
+
+#define BATCHES 3
+#define JOBS 4
+#define PAGE_WORDS (GLOSS_PAGE_BYTES / 4)
+
+/* What happens to a batch of jobs. */
+enum kind {
+	PLAIN,
+	LATE,		/* completions are asked for again */
+	PAUSED,		/* enable is taken away and given back */
+	POISONED,	/* an address of a job is refused */
+	REFUSED,	/* some access, another one on each board */
+	RESET,		/* at some time, another one on each board */
+	KINDS
+};
+
+static const char *const kind_names[KINDS] = { "plain", "late", "paused", "poisoned", "refused",
+					       "reset" };
+
+struct test {
+	const char *plugin;
+	const struct gloss_board_ops *ops[2];	/* the model's, the plugin's */
+	struct port_host host[2];
+	uint8_t *memory[2];
+	uint64_t seed, random;			/* of the round */
+	bool started;
+
+	struct stream_random stream;
+	struct gloss_job_descriptor job[JOBS];	/* of the batch */
+	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
+	uint32_t jobs, first;			/* first: its number in HEAD's count */
+	uint32_t sequence;
+
+	uint64_t batches[KINDS], ended, errors;
+};
+
+static uint32_t below(struct test *test, uint32_t n)
+{
+	return (uint32_t)(port_host_random(&test->random) % n);
+}
+
+static int __attribute__((format(printf, 2, 3)))
+differ(const struct test *test, const char *format, ...)
+{
+	va_list arguments;
+
+	fprintf(stderr, "test_boards: %s: ", test->plugin);
+	va_start(arguments, format);
+	vfprintf(stderr, format, arguments);
+	va_end(arguments);
+	fprintf(stderr, "; repeat with GLOSS_SEED=%" PRIu64 " -n 1\n", test->seed);
+	return 1;
+}
+
+/* ---- comparing ---- */
+
+static bool comparable(uint32_t offset, bool stopped)
+{
+	if (offset == GLOSS_REG_CAPABILITIES ||
+	    (offset >= GLOSS_REG_CLOCKS_LOW && offset <= GLOSS_REG_STALL_RESPONSE))
+		return false;
+	return !stopped || offset != GLOSS_REG_PROGRESS;
+}
+
+static int compare_registers(struct test *test, bool stopped)
+{
+	for (uint32_t offset = 0; offset <= 0x100; offset += 4) {
+		uint32_t model = port_host_read(&test->host[0], offset);
+		uint32_t other = port_host_read(&test->host[1], offset);
+
+		if (stopped && offset == GLOSS_REG_STATUS) {
+			model &= GLOSS_REG_STATUS_DMA_ERROR;
+			other &= GLOSS_REG_STATUS_DMA_ERROR;
+		}
+		/* A list's entry may be read with the one beside it. */
+		if (stopped && offset == GLOSS_REG_DMA_ERROR_LOW) {
+			model &= ~15u;
+			other &= ~15u;
+		}
+		if (model != other && comparable(offset, stopped))
+			return differ(test, "register 0x%03x is 0x%08x, the model's 0x%08x", offset,
+				      other, model);
+	}
+	if (test->host[0].events != test->host[1].events)
+		return differ(test, "%u messages, the model's %u", test->host[1].events,
+			      test->host[0].events);
+	if (test->host[0].level != test->host[1].level)
+		return differ(test, "INTx is %d, the model's %d", test->host[1].level,
+			      test->host[0].level);
+	return 0;
+}
+
+static int compare_bytes(const struct test *test, const char *what, const uint8_t *model,
+			 const uint8_t *other, uint32_t bytes)
+{
+	for (uint32_t n = 0; n < bytes; n++)
+		if (model[n] != other[n])
+			return differ(test, "%s differs at byte 0x%x: 0x%02x, the model's 0x%02x",
+				      what, n, other[n], model[n]);
+	return 0;
+}
+
+static int compare_host(const struct test *test)
+{
+	return compare_bytes(test, "host memory", test->host[0].memory, test->host[1].memory,
+			     PORT_HOST_BYTES);
+}
+
+static int compare_board(const struct test *test)
+{
+	return compare_bytes(test, "board memory", test->memory[0], test->memory[1],
+			     STREAM_RANDOM_MEMORY);
+}
+
+/* Makes what the boards may have left different the same. */
+static void forgive_host(struct test *test, uint64_t address, uint32_t bytes)
+{
+	uint64_t at = address - PORT_HOST_BASE;
+
+	memcpy(test->host[1].memory + at, test->host[0].memory + at, bytes);
+}
+
+static void forgive_response(struct test *test, const struct gloss_job_descriptor *d)
+{
+	uint64_t list = (uint64_t)d->response_list_high << 32 | (d->response_list_low & ~7u);
+
+	for (uint64_t word = 0; word < d->response_words; word += PAGE_WORDS)
+		forgive_host(test, port_host_word(&test->host[0], list, (uint32_t)word),
+			     GLOSS_PAGE_BYTES);
+}
+
+static void forgive_slots(struct test *test, const struct gloss_slot *slot)
+{
+	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
+		if (slot[n].rights & GLOSS_RIGHTS_WRITE)
+			memcpy(test->memory[1] + slot[n].base, test->memory[0] + slot[n].base,
+			       slot[n].size);
+}
+
+/* ---- jobs ---- */
+
+/* Low bits that an address has no room for may be anything. */
+static void dirty_list(struct test *test, uint32_t *low, uint32_t high, uint32_t words)
+{
+	uint64_t list = (uint64_t)high << 32 | *low;
+
+	for (uint32_t n = 0; n < words; n += PAGE_WORDS) {
+		uint32_t bits = below(test, GLOSS_PAGE_BYTES);
+
+		for (uint32_t side = 0; side < 2; side++) {
+			struct port_host *host = &test->host[side];
+
+			port_host_set(host, list + n / PAGE_WORDS * 8,
+				      port_host_get(host, list + n / PAGE_WORDS * 8) | bits);
+		}
+	}
+	*low |= below(test, 8);
+}
+
+static void make_job(struct test *test, uint32_t n)
+{
+	struct stream_random *stream = &test->stream;
+	struct gloss_job_descriptor *d = &test->job[n];
+
+	stream_random_valid(stream, port_host_random(&test->random), (int)test->ops[0]->tile_size);
+	if (below(test, 4) == 0)
+		stream_random_damage(stream);
+	if (below(test, 8) == 0)
+		stream->job.response_words = below(test, stream->job.response_words + 1);
+	if (below(test, 16) == 0)
+		stream->job.stream_words = below(test, stream->job.stream_words + 1);
+	memcpy(test->slot[n], stream->job.slot, sizeof(test->slot[n]));
+	for (uint32_t side = 0; side < 2; side++)
+		*d = port_host_describe(&test->host[side], &stream->job, test->sequence);
+	test->sequence += 1 + below(test, 0x10000000);
+	if (below(test, 2)) {
+		dirty_list(test, &d->stream_list_low, d->stream_list_high, d->stream_words);
+		dirty_list(test, &d->response_list_low, d->response_list_high, d->response_words);
+		d->slot_table_low |= below(test, 64);
+	}
+}
+
+static void start(struct test *test)
+{
+	uint32_t log2 = below(test, 4) ? below(test, 4) : below(test, 16);
+	uint32_t mask = below(test, 8);
+
+	for (uint32_t side = 0; side < 2; side++)
+		port_host_start(&test->host[side], log2, mask);
+	test->first = 0;
+	test->started = true;
+}
+
+static void make_jobs(struct test *test)
+{
+	uint32_t most;
+
+	if (!test->started)
+		start(test);
+	most = 1u << test->host[0].log2;
+	test->jobs = 1 + below(test, most < JOBS ? most : JOBS);
+	for (uint32_t n = 0; n < test->jobs; n++) {
+		make_job(test, n);
+		for (uint32_t side = 0; side < 2; side++)
+			port_host_push(&test->host[side], &test->job[n]);
+	}
+}
+
+/* ---- what happens to them ---- */
+
+static uint64_t entry_address(const struct test *test, uint64_t array, uint32_t bytes, uint32_t n)
+{
+	return array + (uint64_t)bytes * ((test->first + n) & ((1u << test->host[0].log2) - 1));
+}
+
+/* An address that a job needs; 0 if it has none of that sort. */
+static uint64_t pick_poison(struct test *test, uint32_t n, uint32_t *bytes)
+{
+	const struct gloss_job_descriptor *d = &test->job[n];
+	uint64_t stream = (uint64_t)d->stream_list_high << 32 | (d->stream_list_low & ~7u);
+	uint64_t response = (uint64_t)d->response_list_high << 32 | (d->response_list_low & ~7u);
+
+	*bytes = 1;
+	switch (below(test, 6)) {
+	case 0:
+		return entry_address(test, test->host[0].ring, 64, n);
+	case 1:
+		return (uint64_t)d->slot_table_high << 32 | (d->slot_table_low & ~63u);
+	case 2:
+		return d->stream_words ? stream + below(test, d->stream_words) / PAGE_WORDS * 8 : 0;
+	case 3:
+		*bytes = GLOSS_PAGE_BYTES;
+		return d->stream_words ? port_host_word(&test->host[0], stream,
+			below(test, d->stream_words) / PAGE_WORDS * PAGE_WORDS) : 0;
+	case 4:
+		*bytes = GLOSS_PAGE_BYTES;
+		return d->response_words ? port_host_word(&test->host[0], response,
+			below(test, d->response_words) / PAGE_WORDS * PAGE_WORDS) : 0;
+	default:
+		return entry_address(test, test->host[0].completion, 16, n);
+	}
+}
+
+static void arm(struct test *test, enum kind kind)
+{
+	uint32_t bytes, later = kind == LATE ? below(test, 20) : below(test, 2) * ~0u;
+	uint64_t poison = pick_poison(test, below(test, test->jobs), &bytes);
+
+	for (uint32_t side = 0; side < 2; side++) {
+		struct port_host *host = &test->host[side];
+
+		host->later = kind == LATE || kind == RESET ? later : 0;
+		host->accesses = 0;
+		host->refuse = kind == REFUSED ? 1 + below(test, 200 * test->jobs) : 0;
+		host->poison = kind == POISONED ? poison : 0;
+		host->poison_bytes = kind == POISONED && poison ? bytes : 0;
+	}
+}
+
+static void work_some(struct test *test, struct port_host *host, uint32_t most)
+{
+	for (uint32_t n = below(test, most + 1); n; n--)
+		host->ops->work(host->board);
+}
+
+/* All at once, or one after the other while the board is at work. */
+static void doorbell(struct test *test, struct port_host *host)
+{
+	uint32_t tail = host->tail - test->jobs;
+
+	while (below(test, 2) && tail != host->tail) {
+		port_host_write(host, GLOSS_REG_TAIL, ++tail);
+		work_some(test, host, 2);
+	}
+	port_host_ring(host);
+}
+
+/* False: the board takes for ever. */
+static bool pause_board(struct test *test, struct port_host *host, bool *idle)
+{
+	work_some(test, host, 5);
+	port_host_write(host, GLOSS_REG_CONTROL, 0);
+	if (!port_host_work(host))
+		return false;
+	*idle = port_host_read(host, GLOSS_REG_STATUS) == GLOSS_REG_STATUS_IDLE;
+	port_host_write(host, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_ENABLE);
+	return true;
+}
+
+static int run_side(struct test *test, enum kind kind, uint32_t side)
+{
+	struct port_host *host = &test->host[side];
+	bool ends = true, idle = true;
+
+	doorbell(test, host);
+	if (kind == PAUSED)
+		ends = pause_board(test, host, &idle);
+	if (!idle)
+		return differ(test, "board %u is not idle after its job with enable 0", side);
+	if (kind == RESET)
+		work_some(test, host, 20);
+	else
+		ends = ends && port_host_work(host);
+	return ends ? 0 : differ(test, "board %u does not end its jobs", side);
+}
+
+/* ---- what is to be the same then ---- */
+
+/* A stopped board says so, and asked for nothing but what its job has. */
+static int check_stopped(struct test *test, struct port_host *host)
+{
+	uint32_t n = port_host_read(host, GLOSS_REG_HEAD) - (test->first & 0xffff);
+	uint32_t sequence = port_host_read(host, GLOSS_REG_FAULT_SEQUENCE);
+	uint64_t address = (uint64_t)port_host_read(host, GLOSS_REG_DMA_ERROR_HIGH) << 32 |
+			   port_host_read(host, GLOSS_REG_DMA_ERROR_LOW);
+	bool descriptor = address == entry_address(test, host->ring, 64, n);
+
+	if (n >= test->jobs)
+		return differ(test, "HEAD is %u, beyond the jobs", test->first + n);
+	if (address - PORT_HOST_BASE >= PORT_HOST_BYTES)
+		return differ(test, "the error is at 0x%" PRIx64 ", which no job has", address);
+	if (sequence != (descriptor ? 0 : test->job[n].sequence))
+		return differ(test, "the error is of the job 0x%08x, not 0x%08x", sequence,
+			      test->job[n].sequence);
+	if (port_host_read(host, GLOSS_REG_FAULT_CAUSE) != GLOSS_FAULT_DMA ||
+	    port_host_read(host, GLOSS_REG_FAULT_OFFSET) ||
+	    !(port_host_read(host, GLOSS_REG_INTERRUPT_STATUS) & GLOSS_REG_INTERRUPT_STATUS_DMA))
+		return differ(test, "the board stopped and does not say why");
+	test->errors++;
+	return 0;
+}
+
+static bool is_stopped(struct port_host *host)
+{
+	return port_host_read(host, GLOSS_REG_STATUS) & GLOSS_REG_STATUS_DMA_ERROR;
+}
+
+static int reset(struct test *test)
+{
+	for (uint32_t side = 0; side < 2; side++) {
+		if (!port_host_reset(&test->host[side]))
+			return differ(test, "board %u does not end its reset", side);
+		test->host[side].events = 0;
+	}
+	test->started = false;
+	return compare_registers(test, false);
+}
+
+/* Memory is compared after the reset, because until then a board may write. */
+
+/* Both boards met the same address, in the same job. */
+static int check_poisoned(struct test *test)
+{
+	uint32_t n = port_host_read(&test->host[0], GLOSS_REG_HEAD) - (test->first & 0xffff);
+
+	if (compare_registers(test, true) || check_stopped(test, &test->host[0]) || reset(test))
+		return 1;
+	forgive_response(test, &test->job[n]);
+	forgive_slots(test, test->slot[n]);
+	return compare_host(test) || compare_board(test);
+}
+
+/* Each board was torn away from the batch at another job; both had ended @ended of them. */
+static int check_torn(struct test *test, uint32_t ended)
+{
+	if (reset(test))
+		return 1;
+	for (uint32_t n = ended; n < test->jobs; n++) {
+		forgive_response(test, &test->job[n]);
+		forgive_host(test, entry_address(test, test->host[0].completion, 16, n), 16);
+	}
+	memcpy(test->memory[1], test->memory[0], STREAM_RANDOM_MEMORY);
+	return compare_host(test);
+}
+
+static int check_refused(struct test *test)
+{
+	uint32_t least = test->jobs;
+
+	for (uint32_t side = 0; side < 2; side++) {
+		struct port_host *host = &test->host[side];
+		uint32_t ended = (port_host_read(host, GLOSS_REG_HEAD) - test->first) & 0xffff;
+
+		if (is_stopped(host) && check_stopped(test, host))
+			return 1;
+		least = ended < least ? ended : least;
+	}
+	return check_torn(test, least);
+}
+
+static int check(struct test *test, enum kind kind)
+{
+	bool stopped = is_stopped(&test->host[0]) || is_stopped(&test->host[1]);
+
+	if (kind == RESET)
+		return check_torn(test, 0);
+	if (kind == REFUSED && stopped)
+		return check_refused(test);
+	if (stopped)
+		return check_poisoned(test);
+	if (compare_registers(test, false) || compare_host(test) || compare_board(test))
+		return 1;
+	test->ended += test->jobs;
+	test->first += test->jobs;
+	if (below(test, 2))
+		for (uint32_t side = 0; side < 2; side++)
+			port_host_write(&test->host[side], GLOSS_REG_INTERRUPT_STATUS, 7);
+	return 0;
+}
+
+static int run_batch(struct test *test)
+{
+	enum kind kind = below(test, 2) ? PLAIN : (enum kind)below(test, KINDS);
+
+	test->batches[kind]++;
+	make_jobs(test);
+	arm(test, kind);
+	return run_side(test, kind, 0) || run_side(test, kind, 1) || check(test, kind);
+}
+
+static int run_round(struct test *test)
+{
+	int failed = 0;
+
+	test->random = test->seed;
+	test->started = false;
+	for (uint32_t side = 0; side < 2; side++) {
+		stream_random_memory(test->memory[side], STREAM_RANDOM_MEMORY, test->seed);
+		if (!port_host_init(&test->host[side], test->ops[side], test->memory[side],
+				    STREAM_RANDOM_MEMORY, test->seed)) {
+			fprintf(stderr, "test_boards: out of memory\n");
+			exit(1);
+		}
+	}
+	for (uint32_t batch = 0; batch < BATCHES && !failed; batch++)
+		failed = run_batch(test);
+	for (uint32_t side = 0; side < 2; side++)
+		port_host_fini(&test->host[side]);
+	return failed;
+}
+
+static int load(struct test *test)
+{
+	void *plugin = dlopen(test->plugin, RTLD_NOW | RTLD_LOCAL);
+
+	if (!plugin) {
+		fprintf(stderr, "test_boards: %s\n", dlerror());
+		return 1;
+	}
+	test->ops[1] = dlsym(plugin, GLOSS_BOARD_SYMBOL);
+	if (!test->ops[1] || test->ops[1]->abi != GLOSS_BOARD_ABI ||
+	    test->ops[1]->version != GLOSS_VERSION) {
+		fprintf(stderr, "test_boards: %s is no board of this tree\n", test->plugin);
+		return 1;
+	}
+	test->ops[0] = test->ops[1]->tile_size == 32 ? &gloss_board_model_t32 :
+						       &gloss_board_model_t64;
+	return 0;
+}
+
+static void report(const struct test *test, uint64_t rounds)
+{
+	printf("test_boards: T=%u K=%u: %" PRIu64 " rounds, %" PRIu64 " jobs compared, %" PRIu64
+	       " DMA errors; batches", test->ops[1]->tile_size, test->ops[1]->pixels_per_clock,
+	       rounds, test->ended, test->errors);
+	for (int n = 0; n < KINDS; n++)
+		printf(" %s %" PRIu64, kind_names[n], test->batches[n]);
+	printf("\n");
+}
+
+int main(int argc, char **argv)
+{
+	static struct test test;
+	const char *given = getenv("GLOSS_SEED");
+	uint64_t seed = given && *given ? strtoull(given, NULL, 0) : (uint64_t)time(NULL);
+	uint64_t rounds = 100;
+	int option, failed = 0;
+
+	while ((option = getopt(argc, argv, "n:")) >= 0) {
+		if (option != 'n')
+			return 2;
+		rounds = strtoull(optarg, NULL, 0);
+	}
+	if (optind + 1 != argc) {
+		fprintf(stderr, "usage: test_boards [-n ROUNDS] PLUGIN\n");
+		return 2;
+	}
+	test.plugin = argv[optind];
+	test.memory[0] = malloc(STREAM_RANDOM_MEMORY);
+	test.memory[1] = malloc(STREAM_RANDOM_MEMORY);
+	if (load(&test) || !test.memory[0] || !test.memory[1])
+		return 1;
+	printf("GLOSS_SEED=%" PRIu64 "\n", seed);
+	for (uint64_t n = 0; n < rounds && !failed; n++) {
+		test.seed = seed + n;
+		failed = run_round(&test);
+	}
+	report(&test, rounds);
+	free(test.memory[0]);
+	free(test.memory[1]);
+	return failed;
+}
