@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Host memory before the host_* ports: pages at any 64-bit address, and the rules of AXI4 checked:
- * what is valid stays until taken, bursts stay in 4 KiB, WLAST ends them; data come not before their
- * address. What is written can be
- * seen from its answer on. An access may be refused by its number; one of a page that is not there
- * is the bench's failure if strict, else it is refused too.
+ * what is valid stays until taken, bursts stay in 4 KiB, WLAST ends them, data come not before their
+ * address. What is written can be seen from its answer on. An access may be refused by its number;
+ * one of a page that is not there is the bench's failure if strict, else it is refused too.
  */
 #ifndef TESTS_PORT_HOST_H
 #define TESTS_PORT_HOST_H
