@@ -16,14 +16,19 @@ $(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug): $(BUILD)/tes
 $(BUILD)/tests/vm/test_isolation: $(STREAM_RANDOM_OBJS)
 $(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
 
-# The floor of test_latency, for the kernel that gloss.ko is for.
-FLOOR_BUILD := $(BUILD)/tests/vm/floor
-$(FLOOR_BUILD)/gloss_floor.ko: tests/vm/floor/gloss_floor.c tests/vm/floor/Kbuild $(MODULE_BUILD)/kdir
-	$(call quiet,KBUILD,$@)
+# What tests need of their own in the kernel, built beside gloss.ko for the kernel it is for.
+VM_MODULES := $(MODULE_BUILD)/test/.built
+VM_MODULE_SOURCES := $(sort $(wildcard tests/vm/modules/*.c)) tests/vm/modules/Kbuild
+
+.PHONY: vm-modules
+vm-modules: $(VM_MODULES)
+
+$(VM_MODULES): $(VM_MODULE_SOURCES) $(MODULE_BUILD)/kdir
+	$(call quiet,KBUILD,tests/vm/modules)
 	@mkdir -p $(@D)
-	$(Q)ln -sf $(abspath $(filter tests/%,$^)) $(@D)/
+	$(Q)ln -sf $(abspath $(VM_MODULE_SOURCES)) $(@D)/
 	$(Q)$(MAKE) --no-print-directory $(if $(filter 0,$(V)),-s) -C $(KDIR) \
 		M=$(abspath $(@D)) W=1 KCFLAGS=-Werror CONFIG_DEBUG_INFO_BTF_MODULES= modules
 	@touch $@
 
-VM_NEEDS += $(FLOOR_BUILD)/gloss_floor.ko
+VM_NEEDS += $(VM_MODULES)

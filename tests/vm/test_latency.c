@@ -2,12 +2,8 @@
 /*
  * How long an empty job takes from SUBMIT to its fence, against the least that any driver
  * takes: the virtual board's doorbell, its interrupt, and the waiting thread's wake-up
- * (tests/vm/floor). Both in this run, on the same board, each across the system call.
+ * (tests/vm/modules). Both in this run, on the same board, each across the system call.
  */
-#include <libgen.h>
-#include <limits.h>
-#include <sys/syscall.h>
-
 #include "vm_board.h"
 #include "gloss_node.h"
 #include "vm_test.h"
@@ -95,27 +91,6 @@ static double submit_us(const char *pci)
 
 /* ---- the floor ---- */
 
-static void floor_load(void)
-{
-	char self[PATH_MAX] = "", path[PATH_MAX];
-	int fd;
-
-	if (readlink("/proc/self/exe", self, sizeof(self) - 1) < 0)
-		vm_fail("/proc/self/exe: %s", strerror(errno));
-	snprintf(path, sizeof(path), "%.4000s/floor/gloss_floor.ko", dirname(self));
-	fd = open(path, O_RDONLY | O_CLOEXEC);
-	if (fd < 0)
-		vm_fail("%s: %s", path, strerror(errno));
-	vm_expect("^gloss_floor: version magic");
-	if (syscall(SYS_finit_module, fd, "", 0)) {
-		if (errno == ENOEXEC)
-			vm_skip("a gloss_floor.ko for this kernel");
-		vm_fail("load %s: %s", path, strerror(errno));
-	}
-	vm_expect_end();
-	close(fd);
-}
-
 static void floor_once(void *data)
 {
 	if (read(*(int *)data, NULL, 0))
@@ -154,8 +129,11 @@ int main(void)
 {
 	const char *pci = vm_env("GLOSS_PCI_MODEL");
 	double submit = 0, floor = 0, vs_floor;
+	int err;
 
-	floor_load();
+	err = board_load("gloss_floor", "");
+	if (err)
+		vm_fail("load gloss_floor.ko: %s", strerror(-err));
 	for (int round = 0; round < 3; round++) {
 		double took = submit_us(pci);
 
@@ -168,8 +146,9 @@ int main(void)
 		hand_over(pci, "gloss");
 	}
 	board_write(pci, "driver_override", "\n");
-	if (syscall(SYS_delete_module, "gloss_floor", O_NONBLOCK))
-		vm_fail("unload gloss_floor: %s", strerror(errno));
+	err = board_unload("gloss_floor");
+	if (err)
+		vm_fail("unload gloss_floor: %s", strerror(-err));
 	vs_floor = submit / floor;
 	VM_PRINT("an empty job takes %.1f us, a bare doorbell %.1f us\n", submit, floor);
 	vm_figures((struct vm_figure[]){ { "drm.submit_us", submit },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <dirent.h>
 #include <limits.h>
+#include <sys/syscall.h>
 
 #include "vm_board.h"
 #include "vm_test.h"
@@ -41,6 +42,26 @@ int board_remove(const char *pci)
 int board_rescan(void)
 {
 	return vm_write_file("/sys/bus/pci/rescan", "1");
+}
+
+int board_load(const char *name, const char *parameters)
+{
+	char path[PATH_MAX];
+	int fd, err = 0;
+
+	snprintf(path, sizeof(path), "%s/test/%s.ko", vm_env("GLOSS_DRIVER"), name);
+	fd = open(path, O_RDONLY | O_CLOEXEC);
+	if (fd < 0)
+		return -errno;
+	if (syscall(SYS_finit_module, fd, parameters, 0))
+		err = -errno;
+	close(fd);
+	return err;
+}
+
+int board_unload(const char *name)
+{
+	return syscall(SYS_delete_module, name, O_NONBLOCK) ? -errno : 0;
 }
 
 /* The number behind @prefix of the first such entry in the board's drm directory. */

@@ -22,6 +22,13 @@ int board_bind(const char *pci, const char *name);
 int board_remove(const char *pci);
 int board_rescan(void);
 
+/*
+ * Loads and unloads module @name of tests/vm/modules; they are built beside gloss.ko, for
+ * the same kernel. @parameters is a line of NAME=VALUE.
+ */
+int board_load(const char *name, const char *parameters);
+int board_unload(const char *name);
+
 /* The board's render node, once it is there: -ENODEV after @milliseconds without. */
 int board_node(const char *pci, int milliseconds, char path[BOARD_PATH]);
 
