@@ -75,6 +75,8 @@ static void *loop_thread(void *data)
 	struct vboard *vboard = data;
 
 	vboard->error = loop_run(vboard);
+	/* QEMU is not to wait for answers that will not come. */
+	shutdown(vboard->socket, SHUT_RDWR);
 	eventfd_write(vboard->ended, 1);
 	return NULL;
 }

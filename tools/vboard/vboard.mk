@@ -37,14 +37,25 @@ $(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $
 
 UNIT_TESTS += $(VBOARD_TESTS)
 
-.PHONY: vboard-sanitize
+.PHONY: vboard vboard-sanitize install-vboard
+vboard: $(BUILD)/vboard-pci ## vboard-pci's messages and exit codes
+	$(Q)tests/vboard/run $<
+
 vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
 		$(VBOARD_TESTS:%=run-%)
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
 		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door
 
-CHECKS += vboard-sanitize
+CHECKS += vboard vboard-sanitize
+
+install-vboard: $(BUILD)/vboard-pci
+	$(call quiet,INSTALL,vboard-pci)
+	$(Q)install -D -m 755 $(BUILD)/vboard-pci $(DESTDIR)$(PREFIX)/bin/vboard-pci
+	$(Q)install -D -m 644 tools/vboard/vboard-pci.1 \
+		$(DESTDIR)$(PREFIX)/share/man/man1/vboard-pci.1
+
+INSTALLS += install-vboard
 
 LINT_C += -Idriver
 ALL += $(BUILD)/vboard-pci
