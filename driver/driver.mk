@@ -89,4 +89,4 @@ lint-uapi: $(KERNEL_SCRIPTS)/checkpatch.pl ## gloss_drm.h alone: C, C++, 32-bit 
 	$(Q)driver/same-layout $(BUILD)/check/layout-x86_64.txt $(BUILD)/check/layout-i386.txt
 	$(Q)perl $(KERNEL_SCRIPTS)/kernel-doc -none -Werror driver/gloss_drm.h
 
-LINTS += lint-uapi
+LINTS += lint-checkpatch lint-sparse lint-uapi
