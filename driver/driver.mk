@@ -12,8 +12,9 @@ MODULE := $(MODULE_BUILD)/gloss.ko
 MODULE_SOURCES := $(sort $(wildcard driver/*.[ch])) driver/Kbuild driver/features.sh \
 	driver/features.table
 
-# BTF of a module needs the kernel's own vmlinux, which the headers do not bring.
-KBUILD = $(MAKE) --no-print-directory $(if $(filter 0,$(V)),-s) -C $(KDIR) \
+# BTF of a module needs the kernel's own vmlinux, which the headers do not bring. Locked, as
+# two makes at once would take each other's files away.
+KBUILD = flock $(MODULE_BUILD)/kdir $(MAKE) --no-print-directory $(if $(filter 0,$(V)),-s) -C $(KDIR) \
 	M=$(abspath $(MODULE_BUILD)) W=1 KCFLAGS=-Werror CONFIG_DEBUG_INFO_BTF_MODULES=
 
 .PHONY: module install-module FORCE
