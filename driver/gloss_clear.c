@@ -7,8 +7,8 @@
  * width, and in which each tile is begun with the colour zero and stored. A job with the
  * first so many tiles of that stream clears an object, several jobs a large one.
  *
- * They run before the jobs of all files, and every job that uses the object waits for
- * them; if one fails, none of these is run.
+ * They are queued when a job first uses the object, run before the jobs of all files, and
+ * every job that uses the object waits for them; if one fails, none of these is run.
  */
 #include <drm/drm_managed.h>
 #include <linux/bitfield.h>
@@ -84,6 +84,7 @@ static void gloss_clear_fini(struct drm_device *drm, void *data)
 
 	drm_sched_entity_destroy(&clear->entity);
 	mutex_destroy(&clear->lock);
+	mutex_destroy(&clear->queue_lock);
 }
 
 static int gloss_clear_init_entity(struct gloss_device *gdev)
@@ -97,6 +98,7 @@ static int gloss_clear_init_entity(struct gloss_device *gdev)
 		return ret;
 
 	mutex_init(&gdev->clear.lock);
+	mutex_init(&gdev->clear.queue_lock);
 	return drmm_add_action_or_reset(&gdev->drm, gloss_clear_fini, NULL);
 }
 
@@ -160,11 +162,8 @@ static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles)
 	return ret;
 }
 
-/*
- * Queues the clearing of an object. Jobs that use it wait for that, so it may be handed
- * out at once. On an error some of it may be queued.
- */
-int gloss_clear_board(struct gloss_board *board)
+/* On an error some of it may be queued. */
+static int gloss_clear_queue(struct gloss_board *board)
 {
 	u32 tile_bytes = gloss_clear_tile_bytes(to_gloss_device(board->base.dev));
 	u64 left = board->node.size / tile_bytes;
@@ -179,4 +178,29 @@ int gloss_clear_board(struct gloss_board *board)
 		left -= tiles;
 	}
 	return ret;
+}
+
+/* Makes sure that an object is cleared before a job that is locked after this. */
+int gloss_clear_board(struct gloss_board *board)
+{
+	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
+	int ret = 0;
+
+	mutex_lock(&clear->queue_lock);
+	if (!board->cleared)
+		ret = gloss_clear_queue(board);
+	board->cleared = !ret;
+	mutex_unlock(&clear->queue_lock);
+	return ret;
+}
+
+/* Clears an object again before the jobs that are queued; the scheduler is stopped. */
+void gloss_clear_again(struct gloss_board *board)
+{
+	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
+
+	mutex_lock(&clear->queue_lock);
+	if (board->cleared && gloss_clear_queue(board))
+		WRITE_ONCE(board->lost, true);
+	mutex_unlock(&clear->queue_lock);
 }

@@ -13,8 +13,9 @@
  *   gloss_ring    jobs the board has
  *   gloss_irq     what it says of them
  *
- * Locks, outer ones first: gloss_memory.lock, a reservation (dma_resv), gloss_file.lock
- * or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock; gloss_hosts.lock, alone.
+ * Locks, outer ones first: gloss_device.stop, gloss_clear.queue_lock, a reservation
+ * (dma_resv), gloss_file.lock or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock;
+ * gloss_hosts.lock and gloss_memory.lock, each alone.
  * The interrupt takes those of the ring. The scheduler's thread, and while that is
  * stopped whoever has stopped it, are the only ones to push jobs into the ring.
  */
@@ -31,6 +32,7 @@
 #include <linux/kref.h>
 #include <linux/ktime.h>
 #include <linux/mutex.h>
+#include <linux/semaphore.h>
 #include <linux/spinlock.h>
 #include <linux/wait.h>
 
@@ -111,6 +113,7 @@ struct gloss_memory {
 /* The stream that clears tiles from the start of slot 0; any number of them is a prefix. */
 struct gloss_clear {
 	dma_addr_t list_address;
+	struct mutex queue_lock;	/* an object's clearing is queued once */
 	struct mutex lock;		/* keeps the entity's jobs in order */
 	struct drm_sched_entity entity;
 };
@@ -133,6 +136,7 @@ struct gloss_device {
 
 	struct drm_gpu_scheduler sched;
 	struct workqueue_struct *sched_wq;	/* looks at late jobs, one at a time */
+	struct semaphore stop;		/* whoever has it may stop the scheduler */
 	atomic_t resets;
 
 	atomic_t jobs;			/* that exist, whatever their state */
@@ -181,6 +185,7 @@ struct gloss_host {
 struct gloss_board {
 	struct drm_gem_object base;
 	struct drm_mm_node node;
+	bool cleared;			/* before any job; under gloss_clear.queue_lock */
 	/* Clearing it failed: who knows what is in there. Jobs that name it end with -EIO. */
 	bool lost;
 };
@@ -303,6 +308,7 @@ void gloss_memory_clear(struct gloss_device *gdev);
 /* gloss_clear.c */
 int gloss_clear_init(struct gloss_device *gdev);
 int gloss_clear_board(struct gloss_board *board);
+void gloss_clear_again(struct gloss_board *board);
 
 static inline u32 gloss_clear_tile_bytes(const struct gloss_device *gdev)
 {

@@ -14,6 +14,7 @@
 #include <linux/slab.h>
 
 #include "gloss_drv.h"
+#include "gloss_trace.h"
 
 static const char *gloss_job_fence_driver_name(struct dma_fence *fence)
 {
@@ -100,6 +101,9 @@ static int gloss_job_depend(struct gloss_job *job)
 		ret = dma_resv_reserve_fences(job->object[i]->resv, 1);
 		if (ret)
 			return ret;
+		/* To clear an object comes before all else that may be queued for it. */
+		if (job->clears)
+			continue;
 		ret = drm_sched_job_add_implicit_dependencies(&job->base, job->object[i],
 							      job->writes & BIT(i));
 		if (ret)
@@ -154,6 +158,7 @@ struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *c
 	if (job->clears)
 		set_bit(DRM_SCHED_FENCE_DONT_PIPELINE, &fence->flags);
 	gloss_job_add_fence(job, fence);
+	trace_gloss_submit(job);
 	/* Once it is pushed, the job may end, and be gone with its objects. */
 	drm_gem_unlock_reservations(job->object, job->objects, ctx);
 	drm_sched_entity_push_job(&job->base);
@@ -183,8 +188,10 @@ void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status)
 {
 	int error = status->error ?: status->cause ? -EIO : 0;
 
+	trace_gloss_done(job, status);
 	gloss_job_write_status(job, status);
 	if (error) {
+		trace_gloss_fault(job, status);
 		/* The scheduler of this kernel may not pass on the error of a job's own fence. */
 		dma_fence_set_error(&job->base.s_fence->finished, error);
 		dma_fence_set_error(job->fence, error);

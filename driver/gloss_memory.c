@@ -83,7 +83,7 @@ const struct drm_gem_object_funcs gloss_board_funcs = {
 	.export = gloss_board_export,
 };
 
-/* An object whose memory reads zero to every job that uses it. */
+/* An object; its memory is cleared when it is first used. */
 struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, u64 size)
 {
 	struct gloss_board *board;
@@ -96,8 +96,6 @@ struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, u64 size)
 	board->base.funcs = &gloss_board_funcs;
 	drm_gem_private_object_init(&gdev->drm, &board->base, size);
 	ret = gloss_memory_find(gdev, &board->node, size);
-	if (!ret)
-		ret = gloss_clear_board(board);
 	if (ret) {
 		drm_gem_object_put(&board->base);
 		return ERR_PTR(ret);
@@ -132,8 +130,7 @@ void gloss_memory_clear(struct gloss_device *gdev)
 
 	while ((board = gloss_memory_next(&gdev->memory, from))) {
 		from = board->node.start + board->node.size;
-		if (gloss_clear_board(board))
-			WRITE_ONCE(board->lost, true);
+		gloss_clear_again(board);
 		drm_gem_object_put(&board->base);
 	}
 }

@@ -14,6 +14,7 @@
 #include <linux/dma-mapping.h>
 
 #include "gloss_drv.h"
+#include "gloss_trace.h"
 
 int gloss_ring_init(struct gloss_device *gdev)
 {
@@ -81,6 +82,7 @@ static void gloss_ring_add(struct gloss_ring *ring, struct gloss_job *job)
 	gloss_ring_put(ring, entry, job);
 	ring->job[entry] = job;
 	ring->tail++;
+	trace_gloss_run(job);
 }
 
 /*
@@ -219,6 +221,7 @@ bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_f
 			job = ring->job[at % GLOSS_RING_ENTRIES];
 	found = job && job->hangs++ < GLOSS_JOB_HANGS;
 	if (found) {
+		trace_gloss_reset(job->gdev, job);
 		job->refused = job->refused ?: -EIO;
 		gloss_ring_note_fault(ring, job, &fault->status);
 		ring->fault.dma_address = fault->dma_address;

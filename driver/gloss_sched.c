@@ -146,6 +146,7 @@ static enum drm_gpu_sched_stat gloss_sched_timedout(struct drm_sched_job *base)
 	struct gloss_device *gdev = to_gloss_job(base)->gdev;
 	int idx;
 
+	down(&gdev->stop);
 	drm_sched_stop(&gdev->sched, base);
 	/* From here on @base may be ended. */
 	if (drm_dev_enter(&gdev->drm, &idx)) {
@@ -155,6 +156,7 @@ static enum drm_gpu_sched_stat gloss_sched_timedout(struct drm_sched_job *base)
 	}
 	drm_sched_resubmit_jobs(&gdev->sched);
 	drm_sched_start(&gdev->sched, true);
+	up(&gdev->stop);
 	return DRM_GPU_SCHED_STAT_NOMINAL;
 }
 
@@ -172,12 +174,13 @@ void gloss_sched_kick(struct gloss_device *gdev)
 
 /*
  * Before the board loses its power: lets it end what it has, if it can, and keeps the
- * rest queued. Nobody else stops the scheduler now, as sched_wq is frozen.
+ * rest queued.
  */
 void gloss_sched_suspend(struct gloss_device *gdev)
 {
 	bool idle;
 
+	down(&gdev->stop);
 	drm_sched_stop(&gdev->sched, NULL);
 	read_poll_timeout(gloss_ring_idle, idle, idle, USEC_PER_MSEC,
 			  gloss_timeout_ms * USEC_PER_MSEC, false, &gdev->ring);
@@ -189,6 +192,7 @@ void gloss_sched_resume(struct gloss_device *gdev)
 {
 	drm_sched_resubmit_jobs(&gdev->sched);
 	drm_sched_start(&gdev->sched, true);
+	up(&gdev->stop);
 }
 
 /* The last file is closed and the board has gone, so all jobs end by themselves. */
@@ -205,8 +209,8 @@ int gloss_sched_init(struct gloss_device *gdev)
 {
 	int ret;
 
-	/* Frozen during a suspend, so that no job is looked at when the board is off. */
-	gdev->sched_wq = alloc_ordered_workqueue("gloss", WQ_FREEZABLE);
+	sema_init(&gdev->stop, 1);
+	gdev->sched_wq = alloc_ordered_workqueue("gloss", 0);
 	if (!gdev->sched_wq)
 		return -ENOMEM;
 

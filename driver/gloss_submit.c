@@ -134,6 +134,7 @@ static int gloss_submit_slot(struct gloss_job *job, struct drm_file *file,
 			     const struct drm_gloss_slot *slot, struct gloss_job_slot *to)
 {
 	struct drm_gem_object *object;
+	int ret;
 
 	if (!slot->handle)
 		return slot->rights || slot->offset || slot->size ? -EINVAL : 0;
@@ -147,6 +148,11 @@ static int gloss_submit_slot(struct gloss_job *job, struct drm_file *file,
 			slot->handle, slot->rights, slot->size, slot->offset);
 		drm_gem_object_put(object);
 		return -EINVAL;
+	}
+	ret = gloss_clear_board(to_gloss_board(object));
+	if (ret) {
+		drm_gem_object_put(object);
+		return ret;
 	}
 	*to = (struct gloss_job_slot) {
 		.base = to_gloss_board(object)->node.start + slot->offset,
