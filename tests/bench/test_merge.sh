@@ -49,6 +49,17 @@ echo '{"synth.luts": 7}' >"$out/synth.json"
 takes "figures with those of synthesis" '{"a.speed":1.5,"a.words":28,"synth.luts":7}'
 
 begin
+rm "$out/bench/a.txt"
+mkdir "$out/vm"
+echo '{ "a.speed": 1.5, "a.words": 28 }' >"$out/vm/a.json"
+takes "figures of the virtual machine" '{"a.speed":1.5,"a.words":28}'
+
+begin
+mkdir "$out/vm"
+echo '{ "a.words": 28 }' >"$out/vm/a.json"
+refuses "a name in a file and an object" "twice: $out/vm/a.json: a.words"
+
+begin
 echo 'a.words 28' >"$out/bench/b.txt"
 refuses "a name in two files" "twice: $out/bench/b.txt: a.words"
 

@@ -54,11 +54,13 @@ check-vm: vm-programs $(MODULE) ## the driver on virtual boards, in a virtual ma
 bench-drm: vm-programs $(MODULE) ## time of an empty job through the driver
 	$(Q)tests/vm/run --build $(BUILD) $(VM_BENCHES)
 
+BENCHES += bench-drm
+
 # The same on a kernel that checks everything; with its own module, made for that kernel.
 KASAN_DRIVER := $(BUILD)/driver-kasan
 check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak...; builds a kernel at first
 	$(Q)kernel=$$(tests/vm/kasan-kernel $(or $(GLOSS_CACHE),$(BUILD))) && \
-	$(MAKE) --no-print-directory module KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
+	$(MAKE) --no-print-directory module vm-modules KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
 	tests/vm/run --build $(BUILD) --driver $(KASAN_DRIVER) --results $(BUILD)/vm-kasan \
 		--kernel $$kernel/bzImage --modules none --debug --slow 5 --timeout 3600
 
