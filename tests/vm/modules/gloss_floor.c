@@ -6,12 +6,12 @@
  *
  * It is bound by driver_override alone, and one board at a time.
  */
-#include <linux/completion.h>
 #include <linux/interrupt.h>
 #include <linux/io.h>
 #include <linux/miscdevice.h>
 #include <linux/module.h>
 #include <linux/pci.h>
+#include <linux/sched.h>
 
 /* The fault window's, from tools/vboard/faults.h. */
 #define FLOOR_BAR	1
@@ -19,27 +19,36 @@
 
 struct gloss_floor {
 	struct miscdevice misc;
-	struct completion rung;
 	void __iomem *window;
+	struct task_struct *sleeper;
+	bool rung;
 };
 
 static irqreturn_t gloss_floor_irq(int irq, void *data)
 {
 	struct gloss_floor *floor = data;
 
-	complete(&floor->rung);
+	WRITE_ONCE(floor->rung, true);
+	wake_up_process(floor->sleeper);
 	return IRQ_HANDLED;
 }
 
+/*
+ * The board may interrupt before the write to it is over. So interrupts are held back until
+ * the thread sleeps, else there would be nobody to wake up, as there is after a job.
+ */
 static ssize_t gloss_floor_read(struct file *file, char __user *to, size_t size, loff_t *at)
 {
 	struct gloss_floor *floor = container_of(file->private_data, struct gloss_floor, misc);
 
-	reinit_completion(&floor->rung);
+	floor->sleeper = current;
+	floor->rung = false;
+	local_irq_disable();
+	set_current_state(TASK_UNINTERRUPTIBLE);
 	writel(1, floor->window + FLOOR_DOORBELL);
-	if (!wait_for_completion_timeout(&floor->rung, HZ))
-		return -ETIME;
-	return 0;
+	schedule_timeout(HZ);
+	local_irq_enable();
+	return READ_ONCE(floor->rung) ? 0 : -ETIME;
 }
 
 static const struct file_operations gloss_floor_fops = {
@@ -72,7 +81,6 @@ static int gloss_floor_probe(struct pci_dev *pdev, const struct pci_device_id *i
 
 	if (!floor)
 		return -ENOMEM;
-	init_completion(&floor->rung);
 	err = pcim_enable_device(pdev);
 	if (err)
 		return err;
