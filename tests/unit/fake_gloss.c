@@ -180,7 +180,7 @@ static int syncobj_wait(struct file *file, const struct drm_syncobj_timeline_wai
 		return -EINVAL;
 	fake_gloss.waits++;
 	while (syncobj->signalled < *point)
-		if (pthread_cond_timedwait(&fake.changed, &fake.lock, &deadline) == ETIMEDOUT)
+		if (wait->timeout_nsec < 0 || pthread_cond_timedwait(&fake.changed, &fake.lock, &deadline) == ETIMEDOUT)
 			return syncobj->signalled < *point ? -ETIME : 0;
 	return 0;
 }

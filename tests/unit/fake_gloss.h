@@ -51,7 +51,8 @@ void fake_gloss_stop(void);
 /* The board runs no job until it is let go. */
 void fake_gloss_hold(void);
 void fake_gloss_release(void);
-/* The job after @jobs others ends with @error in its status. */
+/* The job after @jobs others ends with @error in its status, or with none. */
+#define FAKE_NO_STATUS 1
 void fake_gloss_lose(unsigned int jobs, int error);
 /* Jobs that wait are lost, and every call says -ENODEV from now on. */
 void fake_gloss_unplug(void);

@@ -142,7 +142,8 @@ int fake_job_submit(struct file *file, const struct drm_gloss_submit *submit)
 
 static void job_end(struct job *job, const struct drm_gloss_status *status)
 {
-	*job->status = *status;
+	if (status->error != FAKE_NO_STATUS)
+		*job->status = *status;
 	for (unsigned int i = 0; i < JOB_OBJECTS; i++)
 		if (job->object[i])
 			job->object[i]->uses--;
