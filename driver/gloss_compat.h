@@ -6,7 +6,9 @@
 #ifndef GLOSS_COMPAT_H
 #define GLOSS_COMPAT_H
 
+#include <drm/drm_prime.h>
 #include <drm/gpu_scheduler.h>
+#include <linux/dma-buf.h>
 #include <linux/pci.h>
 
 #include "gloss_features.h"
@@ -84,6 +86,17 @@ static inline void gloss_compat_sched_start(struct drm_gpu_scheduler *sched)
 	drm_sched_start(sched, 0);
 #else
 	drm_sched_start(sched);
+#endif
+}
+
+/* For callers that have not locked the dma-buf's reservation, which later kernels ask for. */
+static inline void gloss_compat_dma_buf_unmap(struct dma_buf_attachment *attach,
+					      struct sg_table *sgt)
+{
+#ifdef GLOSS_HAVE_DMA_BUF_UNMAP_UNLOCKED
+	dma_buf_unmap_attachment_unlocked(attach, sgt, DMA_BIDIRECTIONAL);
+#else
+	dma_buf_unmap_attachment(attach, sgt, DMA_BIDIRECTIONAL);
 #endif
 }
 

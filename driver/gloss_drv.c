@@ -81,16 +81,14 @@ static const struct drm_driver gloss_driver = {
 	.num_ioctls = ARRAY_SIZE(gloss_ioctls),
 	.fops = &gloss_fops,
 	.gem_create_object = gloss_host_new,
-	.prime_handle_to_fd = drm_gem_prime_handle_to_fd,
-	.prime_fd_to_handle = drm_gem_prime_fd_to_handle,
 	.gem_prime_import_sg_table = gloss_host_import,
-	.gem_prime_mmap = drm_gem_prime_mmap,
+	GLOSS_COMPAT_PRIME
 #ifdef CONFIG_DEBUG_FS
 	.debugfs_init = gloss_debugfs_init,
 #endif
 	.name = "gloss",
 	.desc = "Gloss 3D accelerator",
-	.date = "20261125",
+	GLOSS_COMPAT_DATE
 	.major = 1,
 	.minor = 0,
 };

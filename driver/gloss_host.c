@@ -196,7 +196,7 @@ static void gloss_host_unmap(struct gloss_host *host)
 	if (host->list)
 		gloss_host_drop_list(host);
 	if (gloss_host_imported(host) && host->base.sgt) {
-		dma_buf_unmap_attachment(host->attach, host->base.sgt, DMA_BIDIRECTIONAL);
+		gloss_compat_dma_buf_unmap(host->attach, host->base.sgt);
 		host->base.sgt = NULL;
 	}
 	list_del_init(&host->node);

@@ -155,7 +155,7 @@ static enum drm_gpu_sched_stat gloss_sched_timedout(struct drm_sched_job *base)
 		drm_dev_exit(idx);
 	}
 	drm_sched_resubmit_jobs(&gdev->sched);
-	drm_sched_start(&gdev->sched, true);
+	gloss_compat_sched_start(&gdev->sched);
 	up(&gdev->stop);
 	return DRM_GPU_SCHED_STAT_NOMINAL;
 }
@@ -191,7 +191,7 @@ void gloss_sched_suspend(struct gloss_device *gdev)
 void gloss_sched_resume(struct gloss_device *gdev)
 {
 	drm_sched_resubmit_jobs(&gdev->sched);
-	drm_sched_start(&gdev->sched, true);
+	gloss_compat_sched_start(&gdev->sched);
 	up(&gdev->stop);
 }
 
