@@ -63,8 +63,8 @@ struct gloss_board_ops {
 	void (*write)(struct gloss_board *board, uint32_t offset, uint32_t value);
 
 	/*
-	 * Works for some milliseconds at most, or for one job. False: nothing is left
-	 * to do until a register is written.
+	 * Works for about a millisecond: the host may be waiting to ask something.
+	 * False: nothing is left to do until a register is written.
 	 */
 	bool (*work)(struct gloss_board *board);
 

@@ -70,7 +70,7 @@ public:
 private:
 	static constexpr unsigned ResetClocks = 4;
 	static constexpr unsigned AccessClocks = 16;
-	static constexpr unsigned SliceClocks = 64, WorkSlices = 32;
+	static constexpr unsigned SliceClocks = 64, WorkSlices = 4;
 	static constexpr uint32_t Nobody = ~0u; /* what a bus reads that nobody answers on */
 
 	/* Nothing will change any more until a register is written. */
