@@ -95,9 +95,10 @@ static int gloss_debugfs_ring(struct seq_file *m, void *unused)
 	spin_lock_irq(&ring->lock);
 	seq_printf(m, "head %u, tail %u, of %lu entries; last sequence %u\n",
 		   ring->head, ring->tail, GLOSS_RING_ENTRIES, ring->sequence);
-	seq_printf(m, "ended %llu, with a fault %llu, busy %llu us, resets %d\n",
-		   ring->jobs, ring->faults, div_u64(ring->busy_ns, NSEC_PER_USEC),
-		   atomic_read(&gdev->resets));
+	seq_printf(m, "ended %llu, with a fault %llu, busy %llu us\n", ring->jobs, ring->faults,
+		   div_u64(ring->busy_ns, NSEC_PER_USEC));
+	seq_printf(m, "resets %d, lost interrupts %d\n", atomic_read(&gdev->resets),
+		   atomic_read(&gdev->interrupts_lost));
 	for (i = ring->head; i != ring->tail; i++)
 		gloss_debugfs_print_job(m, ring->job[i % GLOSS_RING_ENTRIES]);
 	spin_unlock_irq(&ring->lock);

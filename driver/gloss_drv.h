@@ -137,7 +137,7 @@ struct gloss_device {
 	struct drm_gpu_scheduler sched;
 	struct workqueue_struct *sched_wq;	/* looks at late jobs, one at a time */
 	struct semaphore stop;		/* whoever has it may stop the scheduler */
-	atomic_t resets;
+	atomic_t resets, interrupts_lost;	/* for debugfs */
 
 	atomic_t jobs;			/* that exist, whatever their state */
 	atomic_t jobs_ended;		/* of these, ended and not yet freed */

@@ -121,8 +121,10 @@ static void gloss_sched_look(struct gloss_device *gdev)
 	struct gloss_ring *ring = &gdev->ring;
 	u32 head, progress, status;
 
-	if (gloss_ring_reap(ring))
+	if (gloss_ring_reap(ring)) {
+		atomic_inc(&gdev->interrupts_lost);
 		drm_notice(&gdev->drm, "an interrupt was lost\n");
+	}
 	if (gloss_ring_idle(ring))
 		return;
 
@@ -221,5 +223,6 @@ int gloss_sched_init(struct gloss_device *gdev)
 		destroy_workqueue(gdev->sched_wq);
 		return ret;
 	}
+	gloss_compat_sched_calm(&gdev->sched);
 	return drmm_add_action_or_reset(&gdev->drm, gloss_sched_fini, NULL);
 }
