@@ -96,6 +96,7 @@ static int gloss_sched_blame(struct gloss_device *gdev, bool dma, struct gloss_r
 static int gloss_sched_reset(struct gloss_device *gdev, bool dma)
 {
 	struct gloss_ring_fault fault = { .status.error = -EIO };
+	unsigned int ended;
 	int ret;
 
 	if (dma)
@@ -105,8 +106,9 @@ static int gloss_sched_reset(struct gloss_device *gdev, bool dma)
 	if (ret)
 		return ret;
 
-	/* The board may have ended the job after all, as the last thing before its reset. */
-	if ((dma || !gloss_ring_reap(&gdev->ring)) && !gloss_ring_idle(&gdev->ring)) {
+	/* The board may have ended jobs after all, as the last thing before its reset. */
+	ended = gloss_ring_reap(&gdev->ring);
+	if ((dma || !ended) && !gloss_ring_idle(&gdev->ring)) {
 		ret = gloss_sched_blame(gdev, dma, &fault);
 		if (ret)
 			return ret;
