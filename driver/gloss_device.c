@@ -101,10 +101,16 @@ int gloss_device_start(struct gloss_device *gdev)
 	return gloss_read(gdev, GLOSS_REG_CONTROL) == GLOSS_REG_CONTROL_ENABLE ? 0 : -ENODEV;
 }
 
-/* Gives up on the board: what it has ends now, what comes later at once, with -ENODEV. */
+/*
+ * Gives up on the board: what it has ends now, what comes later at once, with -ENODEV. As
+ * that may free pages, a board that is there after all must not write to them any more.
+ */
 void gloss_device_set_gone(struct gloss_device *gdev, const char *why)
 {
-	if (!xchg(&gdev->gone, true) && why)
-		drm_err(&gdev->drm, "the board is lost: %s\n", why);
+	if (!xchg(&gdev->gone, true)) {
+		pci_clear_master(to_pci_dev(gdev->drm.dev));
+		if (why)
+			drm_err(&gdev->drm, "the board is lost: %s\n", why);
+	}
 	gloss_ring_fail(&gdev->ring, -ENODEV);
 }
