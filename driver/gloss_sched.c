@@ -26,6 +26,12 @@
 
 #include "gloss_drv.h"
 
+/* Zero would be no time for the scheduler, and all the time for a poll. */
+static unsigned int gloss_sched_timeout_ms(void)
+{
+	return max(gloss_timeout_ms, 1u);
+}
+
 /* Why a job must not be run, now that it is its turn. */
 static int gloss_sched_refusal(const struct gloss_job *job)
 {
@@ -187,7 +193,7 @@ void gloss_sched_suspend(struct gloss_device *gdev)
 	down(&gdev->stop);
 	drm_sched_stop(&gdev->sched, NULL);
 	read_poll_timeout(gloss_ring_idle, idle, idle, USEC_PER_MSEC,
-			  gloss_timeout_ms * USEC_PER_MSEC, false, &gdev->ring);
+			  (u64)gloss_sched_timeout_ms() * USEC_PER_MSEC, false, &gdev->ring);
 	/* As an interrupt may have been lost. */
 	gloss_ring_reap(&gdev->ring);
 }
@@ -219,7 +225,7 @@ int gloss_sched_init(struct gloss_device *gdev)
 		return -ENOMEM;
 
 	ret = gloss_compat_sched_init(&gdev->sched, &gloss_sched_ops, GLOSS_JOBS_AHEAD,
-				      msecs_to_jiffies(max(gloss_timeout_ms, 1u)),
+				      msecs_to_jiffies(gloss_sched_timeout_ms()),
 				      gdev->sched_wq, gdev->drm.dev);
 	if (ret) {
 		destroy_workqueue(gdev->sched_wq);
