@@ -88,10 +88,6 @@ static int compare_registers(struct test *test, bool stopped)
 		uint32_t model = port_host_read(&test->host[0], offset);
 		uint32_t other = port_host_read(&test->host[1], offset);
 
-		if (stopped && offset == GLOSS_REG_STATUS) {
-			model &= GLOSS_REG_STATUS_DMA_ERROR;
-			other &= GLOSS_REG_STATUS_DMA_ERROR;
-		}
 		/* A list's entry may be read with the one beside it. */
 		if (stopped && offset == GLOSS_REG_DMA_ERROR_LOW) {
 			model &= ~15u;
@@ -177,6 +173,25 @@ static void dirty_list(struct test *test, uint32_t *low, uint32_t high, uint32_t
 	*low |= below(test, 8);
 }
 
+/* Too little room, streams that end too early, and both up to the border of half a page or a page. */
+static void cut_words(struct test *test, struct gloss_job *job)
+{
+	switch (below(test, 8)) {
+	case 0:
+		job->response_words = below(test, job->response_words + 1);
+		break;
+	case 1:
+		job->stream_words = below(test, job->stream_words + 1);
+		break;
+	case 2:
+		job->response_words -= job->response_words % (PAGE_WORDS / 2);
+		break;
+	case 3:
+		job->stream_words -= job->stream_words % (PAGE_WORDS / 2);
+		break;
+	}
+}
+
 static void make_job(struct test *test, uint32_t n)
 {
 	struct stream_random *stream = &test->stream;
@@ -185,10 +200,7 @@ static void make_job(struct test *test, uint32_t n)
 	stream_random_valid(stream, port_host_random(&test->random), (int)test->ops[0]->tile_size);
 	if (below(test, 4) == 0)
 		stream_random_damage(stream);
-	if (below(test, 8) == 0)
-		stream->job.response_words = below(test, stream->job.response_words + 1);
-	if (below(test, 16) == 0)
-		stream->job.stream_words = below(test, stream->job.stream_words + 1);
+	cut_words(test, &stream->job);
 	memcpy(test->slot[n], stream->job.slot, sizeof(test->slot[n]));
 	for (uint32_t side = 0; side < 2; side++)
 		*d = port_host_describe(&test->host[side], &stream->job, test->sequence);
@@ -295,33 +307,36 @@ static void doorbell(struct test *test, struct port_host *host)
 	port_host_ring(host);
 }
 
-/* False: the board takes for ever. */
-static bool pause_board(struct test *test, struct port_host *host, bool *idle)
+static int pause_board(struct test *test, struct port_host *host)
 {
+	uint32_t head;
+
 	work_some(test, host, 5);
 	port_host_write(host, GLOSS_REG_CONTROL, 0);
+	head = port_host_read(host, GLOSS_REG_HEAD);
 	if (!port_host_work(host))
-		return false;
-	*idle = port_host_read(host, GLOSS_REG_STATUS) == GLOSS_REG_STATUS_IDLE;
+		return differ(test, "a board does not end its job with enable 0");
+	head = (port_host_read(host, GLOSS_REG_HEAD) - head) & 0xffff;
+	if (head > 1)
+		return differ(test, "a board ends %u jobs with enable 0", head);
+	if (port_host_read(host, GLOSS_REG_STATUS) != GLOSS_REG_STATUS_IDLE)
+		return differ(test, "a board is not idle after its job with enable 0");
 	port_host_write(host, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_ENABLE);
-	return true;
+	return 0;
 }
 
 static int run_side(struct test *test, enum kind kind, uint32_t side)
 {
 	struct port_host *host = &test->host[side];
-	bool ends = true, idle = true;
 
 	doorbell(test, host);
-	if (kind == PAUSED)
-		ends = pause_board(test, host, &idle);
-	if (!idle)
-		return differ(test, "board %u is not idle after its job with enable 0", side);
+	if (kind == PAUSED && pause_board(test, host))
+		return 1;
 	if (kind == RESET)
 		work_some(test, host, 20);
-	else
-		ends = ends && port_host_work(host);
-	return ends ? 0 : differ(test, "board %u does not end its jobs", side);
+	else if (!port_host_work(host))
+		return differ(test, "board %u does not end its jobs", side);
+	return 0;
 }
 
 /* ---- what is to be the same then ---- */

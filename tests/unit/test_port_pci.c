@@ -388,6 +388,7 @@ static void check_completed(struct port_host *host)
 	assert_true(port_host_read(host, R(INTERRUPT_STATUS)) & R(INTERRUPT_STATUS_DONE));
 	assert_true(host->level);
 	assert_int_equal(port_host_read(host, R(JOBS)), job + 1);
+	assert_int_equal(port_host_read(host, R(STATUS)), R(STATUS_IDLE));
 }
 
 static void completion_is_written_after_the_response_and_before_the_event(void **state)
