@@ -8,6 +8,9 @@
 
 #include <drm/drm_prime.h>
 #include <drm/gpu_scheduler.h>
+#include <linux/kthread.h>
+#include <linux/sched.h>
+#include <linux/sched/prio.h>
 #include <linux/dma-buf.h>
 #include <linux/pci.h>
 
@@ -64,6 +67,21 @@ static inline int gloss_compat_sched_init(struct drm_gpu_scheduler *sched,
 			      "gloss", dev);
 #else
 	return drm_sched_init(sched, ops, ahead, 0, timeout, wq, NULL, "gloss", dev);
+#endif
+}
+
+/*
+ * A scheduler that has a thread makes it a real-time one. As writing a register may take
+ * long, such a thread may use up what the kernel leaves to all of its kind. Later
+ * schedulers have workers without such a right; so does this one then.
+ */
+static inline void gloss_compat_sched_calm(struct drm_gpu_scheduler *sched)
+{
+#ifdef GLOSS_HAVE_SCHED_THREAD
+	/* When it is parked, it has set its own priority before. */
+	kthread_park(sched->thread);
+	sched_set_normal(sched->thread, MIN_NICE);
+	kthread_unpark(sched->thread);
 #endif
 }
 
