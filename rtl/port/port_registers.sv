@@ -54,8 +54,6 @@ module port_registers #(
   input  logic [31:0]               dma_sequence_i
 );
 
-  localparam logic [3:0] RingMaxLog2 = 4'(gloss_pkg::RingMaxLog2);
-
   logic ready_q, write;
   logic [15:0] address;
   logic [31:0] rdata_d, rdata_q;
@@ -83,7 +81,7 @@ module port_registers #(
   assign reset_o = write && address == gloss_pkg::REG_CONTROL && reg_wdata_i[1];
   assign enable_o = enable_q;
   assign ring_o = ring_q[63:6];
-  assign ring_log2_o = ring_log2_q > RingMaxLog2 ? RingMaxLog2 : ring_log2_q;
+  assign ring_log2_o = ring_log2_q;
   assign tail_o = tail_q;
   assign records_o = records_q[63:4];
 

@@ -75,6 +75,7 @@ module port_ring #(
   assign quiet_o = !current_q && ((state_q == Rest && (!enable_i || asked_q == tail_i)) ||
                                   (state_q == Ready && !enable_i && loaded_i && list_quiet_i));
 
+  // More than RingMaxLog2 is the same as that.
   assign mask = ~({EntryBits{1'b1}} << ring_log2_i);
   assign read_valid_o = state_q == Ask;
   assign ask_entry = asked_q[EntryBits-1:0] & mask;

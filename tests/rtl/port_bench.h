@@ -223,6 +223,7 @@ public:
 	uint32_t entries = 1, tail = 0, head = 0;
 	uint32_t progress = 0, finished = 0;	/* as the registers must have it */
 	uint64_t time[6] = {}, message_clock = 0;
+	uint64_t access_clock = 0;		/* in which the last one acted */
 
 private:
 	uint32_t access(bool write, uint32_t offset, uint32_t value)
@@ -237,6 +238,7 @@ private:
 			clock();
 		}
 		top.reg_valid_i = 0;
+		access_clock = clocks - 1;
 		return access_answer;
 	}
 

@@ -214,6 +214,30 @@ static void interrupts_follow_mask_and_status(PortBench &bench)
 	}
 }
 
+/* Cleared in the very clock it happens, an event is not lost: its bit stays until it is cleared again. */
+static void an_event_goes_before_its_clearing(PortBench &bench)
+{
+	int together = 0;
+
+	bench.start(2, done);
+	for (int n = 0; n < 40; n++) {
+		uint64_t messages = bench.messages;
+
+		bench.kind(bench.random.between(5, 20));
+		bench.submit(bench.job(1, 0));
+		while (bench.messages == messages) {
+			bench.write(GLOSS_REG_INTERRUPT_STATUS, done);
+			bench.clock();
+		}
+		/* The message is sent a clock after the event. */
+		if (bench.message_clock != bench.access_clock + 1)
+			continue;
+		TB_CHECK(bench.read(GLOSS_REG_INTERRUPT_STATUS) & done, "an event is lost");
+		together++;
+	}
+	TB_CHECK(together > 0, "no event met its clearing");
+}
+
 /* Three jobs, one access of theirs refused: jobs before it end well, and reset brings all back. */
 static bool refuse_access(PortBench &bench, int access)
 {
@@ -404,6 +428,7 @@ int main(int argc, char **argv)
 	the_next_job_is_read_ahead(bench);
 	a_disabled_board_ends_what_it_runs(bench);
 	interrupts_follow_mask_and_status(bench);
+	an_event_goes_before_its_clearing(bench);
 	any_access_may_be_refused(bench);
 	reset_at_any_time(bench, 3 * rounds);
 	insane_descriptors(bench, rounds);
