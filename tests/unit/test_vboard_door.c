@@ -354,6 +354,8 @@ static void accesses_of_other_widths_are_made_of_words(void **state)
 	}
 	assert_int_equal(bar_read(REGISTERS + GLOSS_REG_RING_LOW, 8), 0x1122334455667788);
 	assert_int_equal(bar_read(REGISTERS + GLOSS_REG_RING_LOW + 2, 4), UINT64_MAX);
+	assert_int_equal(bar_read(REGISTERS + 33, 3), UINT64_MAX);
+	assert_int_equal(bar_read(REGISTERS + 36, 6), UINT64_MAX);
 }
 
 static void a_job_goes_by_dma_and_ends_in_a_message(void **state)
@@ -420,6 +422,7 @@ static void a_reset_is_answered_though_qemu_takes_no_commands(void **state)
 	submit();
 	expect_pin(1, false);
 	ask(&reset);
+	assert_true(answer_comes(700));
 	take_answer();
 	qtest_answer("OK\n");
 	expect_pin(0, true);
@@ -483,7 +486,7 @@ static void a_delayed_doorbell_comes_in_time_or_before_a_request(void **state)
 	submit();
 	assert_false(qtest_has_more(5));
 	expect_msi();
-	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 4000000, 4);
+	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 100000000, 4);
 	submit();
 	config_read(PCI_VENDOR_ID, 4);
 	expect_msi();

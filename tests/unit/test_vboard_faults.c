@@ -284,6 +284,7 @@ static void the_board_dies_when_the_nth_job_begins(void **state)
 	assert_false(host.level);
 	assert_int_equal(test_host_completed(&host, 1), 0);
 	assert_dead();
+	host.messages = true;
 	arm(VBOARD_FAULT_DOORBELL, 1);
 	assert_int_equal(host.events, 0);
 }
@@ -324,6 +325,7 @@ static void a_slow_job_takes_its_time_and_the_board_answers(void **state)
 	assert_int_equal(head(), 1);
 	assert_int_equal(host.events, 1);
 	run(1);
+	assert_int_equal(head(), 1);
 	reset_by_driver();
 	assert_int_equal(vboard_faults_due(&faults), UINT64_MAX);
 	arm(VBOARD_FAULT_SLOW, 0);

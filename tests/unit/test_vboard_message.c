@@ -141,7 +141,7 @@ static void a_message_of_wrong_length_or_kind_ends_it(void **state)
 	} wrong[] = {
 		{ VBOARD_SYNC_SYSMEM, 191, 0 }, { VBOARD_SYNC_SYSMEM, 193, 1 },
 		{ VBOARD_SYNC_SYSMEM, 192, 9 }, { VBOARD_SYNC_SYSMEM, 192, 32 },
-		{ VBOARD_RET, 8, 0 }, { VBOARD_CONFIG_READ, 0, 0 }, { VBOARD_CONFIG_WRITE, 16, 0 },
+		{ VBOARD_RET, 8, 0 }, { VBOARD_RET, 0, 0 }, { VBOARD_CONFIG_READ, 0, 0 }, { VBOARD_CONFIG_WRITE, 16, 0 },
 		{ VBOARD_BAR_READ, 16, 0 }, { VBOARD_BAR_WRITE, UINT64_MAX, 0 },
 		{ VBOARD_BAR_WRITE, 24, 1 }, { VBOARD_BAR_WRITE, 1ull << 32 | 24, 0 },
 		{ VBOARD_SET_IRQFD, 0, 0 }, { VBOARD_SET_IRQFD, 0, 3 },

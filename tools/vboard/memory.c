@@ -74,8 +74,6 @@ static bool memory_has(const struct vboard_memory *memory, uint64_t address, uin
 {
 	uint32_t part;
 
-	if (bytes > UINT64_MAX - address)
-		return false;
 	for (; bytes; bytes -= part, address += part)
 		if (!memory_find(memory, address, bytes, &part))
 			return false;
