@@ -15,7 +15,7 @@
  *
  * Locks, outer ones first: gloss_device.stop, gloss_clear.queue_lock, a reservation
  * (dma_resv), gloss_file.lock or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock;
- * gloss_hosts.lock and gloss_memory.lock, each alone.
+ * gloss_hosts.lock and gloss_memory.lock, each alone, but for gloss_host.map_lock.
  * The interrupt takes those of the ring. The scheduler's thread, and while that is
  * stopped whoever has stopped it, are the only ones to push jobs into the ring.
  */
@@ -97,7 +97,12 @@ struct gloss_ring {
 
 /* The host objects that are mapped, so that none stays so when the board has gone. */
 struct gloss_hosts {
-	struct mutex lock;		/* protects the following, and each object's mapping */
+	/*
+	 * Protects the following, and each object's mapping. The scheduler's thread takes it
+	 * to free a job, before it runs the next. To wait for memory may be to wait for a
+	 * fence, so whoever has this lock must not.
+	 */
+	struct mutex lock;
 	struct list_head list;
 	bool gone;
 };
@@ -176,6 +181,7 @@ struct gloss_host {
 	struct drm_gem_shmem_object base;
 	struct list_head node;		/* in gloss_hosts.list, if anything of it is mapped */
 	struct dma_buf_attachment *attach;	/* of an imported object, else NULL */
+	struct mutex map_lock;		/* it is mapped once; outside of gloss_hosts.lock */
 	bool pinned;			/* base.pages stay until the object goes */
 	__le64 *list;
 	dma_addr_t list_address;
