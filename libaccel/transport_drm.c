@@ -113,9 +113,8 @@ static int transport_drm_open(const char *where, void **state,
 		goto err_free;
 	}
 	err = drm_identify(transport, path);
-	if (err)
-		goto err_close;
-	err = accel_drm_node_error(drmSyncobjCreate(transport->fd, 0, &transport->syncobj));
+	if (!err && drmSyncobjCreate(transport->fd, 0, &transport->syncobj))
+		err = accel_drm_node_error(-errno);
 	if (err)
 		goto err_close;
 	accel_drm_pool_init(&transport->pool, transport->fd);

@@ -308,11 +308,12 @@ void fake_file_close(int fd)
 	pthread_mutex_lock(&fake.lock);
 	file = file_find(fd);
 	if (file) {
-		fake_gloss.left = fake_gloss.handles + fake_gloss.syncobjs;
 		for (uint32_t handle = 1; handle <= OBJECTS; handle++)
-			handle_close(file, handle);
-		for (uint32_t i = 0; i < SYNCOBJS; i++)
+			fake_gloss.left += !handle_close(file, handle);
+		for (uint32_t i = 0; i < SYNCOBJS; i++) {
+			fake_gloss.left += file->syncobj[i].used;
 			fake_gloss.syncobjs -= file->syncobj[i].used;
+		}
 		fake_gloss.files--;
 		file->fd = 0;
 	}

@@ -38,7 +38,7 @@ struct fake_gloss {
 	unsigned int ioctls, submits, creates, waits;	/* calls so far */
 	unsigned int opened;		/* of all opens, the number of the last node */
 	unsigned int files, handles, syncobjs;	/* that are there now */
-	unsigned int left;		/* handles and syncobjs that were there when a file closed */
+	unsigned int left;		/* handles and syncobjs that were there when files closed */
 	uint64_t host_bytes;		/* of host objects that have a handle */
 };
 

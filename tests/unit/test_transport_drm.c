@@ -29,12 +29,15 @@ static int setup(void **state)
 /* Nothing may be left that the kernel would have to tidy up. */
 static int teardown(void **state)
 {
+	unsigned int mappings;
+
 	fake_gloss_release();
 	ops->close(*state);
+	mappings = fake_gloss_mappings();
+	fake_gloss_stop();
 	assert_int_equal(fake_gloss.files, 0);
 	assert_int_equal(fake_gloss.left, 0);
-	assert_int_equal(fake_gloss_mappings(), 0);
-	fake_gloss_stop();
+	assert_int_equal(mappings, 0);
 	return 0;
 }
 
@@ -423,12 +426,14 @@ static void unused_memory_is_bounded(void **state)
 
 static void jobs_of_about_the_same_size_share(void **state)
 {
-	run_many(*state, 1, 3 * PAGE_WORDS);
-	run_many(*state, 1, 3 * PAGE_WORDS - 1);
-	run_many(*state, 1, 2 * PAGE_WORDS + 1);
-	assert_int_equal(fake_gloss.creates, 1);
+	run_many(*state, 1, 7 * PAGE_WORDS);
+	run_many(*state, 1, 7 * PAGE_WORDS - 1);
 	run_many(*state, 1, 3 * PAGE_WORDS + 1);
+	assert_int_equal(fake_gloss.creates, 1);
+	run_many(*state, 1, 7 * PAGE_WORDS + 1);
 	assert_int_equal(fake_gloss.creates, 2);
+	run_many(*state, 1, 3 * PAGE_WORDS);
+	assert_int_equal(fake_gloss.creates, 3);
 }
 
 static void a_job_larger_than_the_pool_takes_no_more_than_it_needs(void **state)
@@ -490,6 +495,7 @@ static int live(void *state)
 static void fail_one(void **state, unsigned int request, unsigned int at, int error, int answer)
 {
 	ops->close(*state);
+	assert_int_equal(fake_gloss.left, 0);
 	fake_gloss_stop();
 	assert_int_equal(setup(state), 0);
 	fake_gloss.fail_request = request;

@@ -26,8 +26,8 @@ static int setup(void **state)
 static int teardown(void **state)
 {
 	(void)state;
-	assert_int_equal(fake_gloss.files, 0);
 	fake_gloss_stop();
+	assert_int_equal(fake_gloss.files, 0);
 	return 0;
 }
 
@@ -231,7 +231,7 @@ static void a_module_that_answers_otherwise_is_refused(void **state)
 			fake_gloss.fail_at = call;
 			fake_gloss.fail_errno = errors[i];
 			err = open_name("drm:", &device);
-			assert_true(err == -ENODEV || (err == -ENOMEM && errors[i] == ENOMEM));
+			assert_int_equal(err, errors[i] == ENOMEM ? -ENOMEM : -ENODEV);
 			assert_message(&messages, call > 2 ? "/dev/dri/renderD128 does not answer "
 							     "as a gloss module of this version" :
 				       err == -ENOMEM ? "Cannot allocate memory" :
