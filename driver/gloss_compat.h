@@ -8,11 +8,11 @@
 
 #include <drm/drm_prime.h>
 #include <drm/gpu_scheduler.h>
+#include <linux/dma-buf.h>
 #include <linux/kthread.h>
+#include <linux/pci.h>
 #include <linux/sched.h>
 #include <linux/sched/prio.h>
-#include <linux/dma-buf.h>
-#include <linux/pci.h>
 
 #include "gloss_features.h"
 

@@ -46,9 +46,8 @@ static int gloss_sched_refusal(const struct gloss_job *job)
 	return 0;
 }
 
-static struct dma_fence *gloss_sched_run_job(struct drm_sched_job *base)
+static struct dma_fence *gloss_sched_run(struct gloss_job *job)
 {
-	struct gloss_job *job = to_gloss_job(base);
 	struct gloss_device *gdev = job->gdev;
 	bool entered;
 	int idx;
@@ -67,6 +66,16 @@ static struct dma_fence *gloss_sched_run_job(struct drm_sched_job *base)
 	if (entered)
 		drm_dev_exit(idx);
 	return dma_fence_get(job->fence);
+}
+
+/* Fences wait for this, so lockdep is told to look out for what must not wait for fences. */
+static struct dma_fence *gloss_sched_run_job(struct drm_sched_job *base)
+{
+	bool signalling = dma_fence_begin_signalling();
+	struct dma_fence *fence = gloss_sched_run(to_gloss_job(base));
+
+	dma_fence_end_signalling(signalling);
+	return fence;
 }
 
 static void gloss_sched_free_job(struct drm_sched_job *base)
@@ -154,11 +163,13 @@ static void gloss_sched_look(struct gloss_device *gdev)
 static enum drm_gpu_sched_stat gloss_sched_timedout(struct drm_sched_job *base)
 {
 	struct gloss_device *gdev = to_gloss_job(base)->gdev;
+	bool signalling;
 	int idx;
 
 	down(&gdev->stop);
 	drm_sched_stop(&gdev->sched, base);
 	/* From here on @base may be ended. */
+	signalling = dma_fence_begin_signalling();
 	if (drm_dev_enter(&gdev->drm, &idx)) {
 		if (!gloss_device_gone(gdev))
 			gloss_sched_look(gdev);
@@ -166,6 +177,7 @@ static enum drm_gpu_sched_stat gloss_sched_timedout(struct drm_sched_job *base)
 	}
 	drm_sched_resubmit_jobs(&gdev->sched);
 	gloss_compat_sched_start(&gdev->sched);
+	dma_fence_end_signalling(signalling);
 	up(&gdev->stop);
 	return DRM_GPU_SCHED_STAT_NOMINAL;
 }

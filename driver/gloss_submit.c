@@ -165,15 +165,16 @@ static int gloss_submit_slot(struct gloss_job *job, struct drm_file *file,
 static int gloss_submit_slots(struct gloss_job *job, struct drm_file *file,
 			      const struct drm_gloss_submit *args)
 {
-	struct drm_gloss_slot slot[GLOSS_SLOTS];
+	const struct drm_gloss_slot __user *from = u64_to_user_ptr(args->slots);
+	struct drm_gloss_slot slot;
 	unsigned int i;
 	int ret = 0;
 
-	if (copy_from_user(slot, u64_to_user_ptr(args->slots), args->slot_count * sizeof(*slot)))
-		return -EFAULT;
-
-	for (i = 0; i < args->slot_count && !ret; i++)
-		ret = gloss_submit_slot(job, file, &slot[i], &job->slot[i]);
+	for (i = 0; i < args->slot_count && !ret; i++) {
+		if (copy_from_user(&slot, from + i, sizeof(slot)))
+			return -EFAULT;
+		ret = gloss_submit_slot(job, file, &slot, &job->slot[i]);
+	}
 	return ret;
 }
 

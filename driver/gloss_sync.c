@@ -11,10 +11,17 @@
 
 #include "gloss_drv.h"
 
-static int gloss_sync_check(struct drm_file *file, const struct drm_gloss_sync *sync)
+/* Copies the sync at @index of an array of the program's, and checks it. */
+static int gloss_sync_copy(struct drm_file *file, u64 array, unsigned int index,
+			   struct drm_gloss_sync *sync)
 {
-	bool timeline = sync->flags & DRM_GLOSS_SYNC_TIMELINE;
+	const struct drm_gloss_sync __user *from = u64_to_user_ptr(array);
+	bool timeline;
 
+	if (copy_from_user(sync, from + index, sizeof(*sync)))
+		return -EFAULT;
+
+	timeline = sync->flags & DRM_GLOSS_SYNC_TIMELINE;
 	if (sync->flags & ~DRM_GLOSS_SYNC_TIMELINE || timeline != !!sync->point) {
 		drm_dbg(file->minor->dev, "syncobj %u: flags %#x with point %llu\n", sync->handle,
 			sync->flags, sync->point);
@@ -23,48 +30,23 @@ static int gloss_sync_check(struct drm_file *file, const struct drm_gloss_sync *
 	return 0;
 }
 
-/* Copies and checks an array of syncs; free it with kfree(). NULL for an empty one. */
-static struct drm_gloss_sync *gloss_sync_copy(struct drm_file *file, u64 user, u32 count)
-{
-	struct drm_gloss_sync *syncs;
-	unsigned int i;
-	int ret;
-
-	if (!count)
-		return NULL;
-
-	syncs = memdup_user(u64_to_user_ptr(user), count * sizeof(*syncs));
-	if (IS_ERR(syncs))
-		return syncs;
-
-	for (i = 0; i < count; i++) {
-		ret = gloss_sync_check(file, &syncs[i]);
-		if (ret) {
-			kfree(syncs);
-			return ERR_PTR(ret);
-		}
-	}
-	return syncs;
-}
-
 /* Makes the job wait for the in-syncs. */
 int gloss_sync_wait_for(struct gloss_job *job, struct drm_file *file,
 			const struct drm_gloss_submit *args)
 {
-	struct drm_gloss_sync *syncs = gloss_sync_copy(file, args->in_syncs, args->in_sync_count);
+	struct drm_gloss_sync sync;
 	struct dma_fence *fence;
 	unsigned int i;
 	int ret = 0;
 
-	if (IS_ERR(syncs))
-		return PTR_ERR(syncs);
-
 	for (i = 0; i < args->in_sync_count && !ret; i++) {
-		ret = drm_syncobj_find_fence(file, syncs[i].handle, syncs[i].point, 0, &fence);
+		ret = gloss_sync_copy(file, args->in_syncs, i, &sync);
+		if (ret)
+			break;
+		ret = drm_syncobj_find_fence(file, sync.handle, sync.point, 0, &fence);
 		if (!ret)
 			ret = drm_sched_job_add_dependency(&job->base, fence);
 	}
-	kfree(syncs);
 	return ret;
 }
 
@@ -81,34 +63,27 @@ static int gloss_sync_find_one(struct drm_file *file, const struct drm_gloss_syn
 	return to->syncobj ? 0 : -ENOENT;
 }
 
-static int gloss_sync_find_all(struct drm_file *file, const struct drm_gloss_sync *from,
-			       struct gloss_sync *to, u32 count)
-{
-	unsigned int i;
-	int ret = 0;
-
-	for (i = 0; i < count && !ret; i++)
-		ret = gloss_sync_find_one(file, &from[i], &to[i]);
-	return ret;
-}
-
 /*
  * The out-syncs, with all that gloss_sync_signal() needs in order not to fail; NULL for
  * none. Free them with gloss_sync_free().
  */
 struct gloss_sync *gloss_sync_find(struct drm_file *file, const struct drm_gloss_submit *args)
 {
-	u32 count = args->out_sync_count;
-	struct drm_gloss_sync *from = gloss_sync_copy(file, args->out_syncs, count);
+	unsigned int i, count = args->out_sync_count;
+	struct drm_gloss_sync from;
 	struct gloss_sync *to;
-	int ret;
+	int ret = 0;
 
-	if (IS_ERR_OR_NULL(from))
-		return ERR_CAST(from);
+	if (!count)
+		return NULL;
 
 	to = kcalloc(count, sizeof(*to), GFP_KERNEL);
-	ret = to ? gloss_sync_find_all(file, from, to, count) : -ENOMEM;
-	kfree(from);
+	if (!to)
+		return ERR_PTR(-ENOMEM);
+
+	for (i = 0; i < count && !ret; i++)
+		ret = gloss_sync_copy(file, args->out_syncs, i, &from) ?:
+		      gloss_sync_find_one(file, &from, &to[i]);
 	if (ret) {
 		gloss_sync_free(to, count);
 		return ERR_PTR(ret);
@@ -135,7 +110,10 @@ void gloss_sync_free(struct gloss_sync *syncs, unsigned int count)
 {
 	unsigned int i;
 
-	for (i = 0; syncs && i < count; i++) {
+	if (!syncs)
+		return;
+
+	for (i = 0; i < count; i++) {
 		dma_fence_chain_free(syncs[i].chain);
 		if (syncs[i].syncobj)
 			drm_syncobj_put(syncs[i].syncobj);
