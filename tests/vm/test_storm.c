@@ -27,6 +27,9 @@ enum {
 
 /* ---- a storm ---- */
 
+/* Kernels that check themselves are slow, and fewer jobs show them all there is. */
+static uint32_t jobs = JOBS;
+
 struct storm {
 	int fd;
 	uint32_t process;
@@ -154,10 +157,10 @@ static void storm_main(uint32_t process)
 	struct storm storm;
 
 	storm_open(&storm, process);
-	for (uint32_t n = 1; n <= JOBS + WINDOW; n++) {
+	for (uint32_t n = 1; n <= jobs + WINDOW; n++) {
 		if (n > WINDOW)
 			check_job(&storm, n - WINDOW);
-		if (n > JOBS)
+		if (n > jobs)
 			continue;
 		write_stream(&storm, n);
 		send_job(&storm, n);
@@ -280,7 +283,7 @@ static double seconds(void)
 	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static void run_processes(const char *name, void (*run)(uint32_t process), int jobs)
+static void run_processes(const char *name, void (*run)(uint32_t process), uint32_t count)
 {
 	double start = seconds();
 	pid_t process[PROCESSES];
@@ -301,13 +304,20 @@ static void run_processes(const char *name, void (*run)(uint32_t process), int j
 		failed += status != 0;
 	}
 	check(!failed, "%s: %d of %d processes failed", name, failed, PROCESSES);
-	VM_PRINT("%s: %d jobs of %d processes in %.1f s\n", name, jobs, PROCESSES,
+	VM_PRINT("%s: %u jobs of %d processes in %.1f s\n", name, count, PROCESSES,
 		 seconds() - start);
 }
 
 int main(void)
 {
-	run_processes("storm", storm_main, PROCESSES * JOBS);
+	const int slow = atoi(vm_env("GLOSS_SLOW"));
+
+	if (slow > 1) {
+		/* The scheduler's thread has a real-time priority, and then no time to sleep. */
+		vm_expect("RT throttling activated");
+		jobs /= (uint32_t)slow;
+	}
+	run_processes("storm", storm_main, PROCESSES * jobs);
 	make_links();
 	run_processes("chain", chain_main, PROCESSES * ROUNDS * (FILLERS + 1));
 	return VM_PASS;
