@@ -31,11 +31,12 @@ enum kind {
 	POISONED,	/* an address of a job is refused */
 	REFUSED,	/* some access, another one on each board */
 	RESET,		/* at some time, another one on each board */
+	WILD,		/* the last job is one that no driver submits */
 	KINDS
 };
 
 static const char *const kind_names[KINDS] = { "plain", "late", "paused", "poisoned", "refused",
-					       "reset" };
+					       "reset", "wild" };
 
 struct test {
 	const char *plugin;
@@ -47,6 +48,7 @@ struct test {
 
 	struct stream_random stream;
 	struct gloss_job_descriptor job[JOBS];	/* of the batch */
+	struct gloss_job_descriptor made[JOBS];	/* before they were made wild */
 	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
 	uint32_t jobs, first;			/* first: its number in HEAD's count */
 	uint32_t sequence;
@@ -212,6 +214,35 @@ static void make_job(struct test *test, uint32_t n)
 	}
 }
 
+/* Words, addresses and slots out of all bounds. */
+static void make_wild(struct test *test, struct gloss_job_descriptor *d)
+{
+	uint32_t words[GLOSS_JOB_DESCRIPTOR_WORDS];
+
+	switch (below(test, 3)) {
+	case 0:
+		d->stream_words = ~below(test, 1000000);
+		d->response_words = ~below(test, 1000000);
+		break;
+	case 1:
+		for (uint32_t n = 0; n < GLOSS_SLOTS * GLOSS_SLOT_ENTRY_WORDS; n++) {
+			uint64_t table = (uint64_t)d->slot_table_high << 32 |
+					 (d->slot_table_low & ~63u);
+			uint32_t word = (uint32_t)port_host_random(&test->random);
+
+			for (uint32_t side = 0; side < 2; side++)
+				port_host_set(&test->host[side], table + 4 * n, word);
+		}
+		break;
+	default:
+		gloss_job_descriptor_pack(words, d);
+		for (uint32_t n = 1; n < GLOSS_JOB_DESCRIPTOR_WORDS; n++)
+			if (below(test, 2))
+				words[n] = (uint32_t)port_host_random(&test->random);
+		gloss_job_descriptor_unpack(words, d);
+	}
+}
+
 static void start(struct test *test)
 {
 	uint32_t log2 = below(test, 4) ? below(test, 4) : below(test, 16);
@@ -223,7 +254,7 @@ static void start(struct test *test)
 	test->started = true;
 }
 
-static void make_jobs(struct test *test)
+static void make_jobs(struct test *test, enum kind kind)
 {
 	uint32_t most;
 
@@ -233,6 +264,9 @@ static void make_jobs(struct test *test)
 	test->jobs = 1 + below(test, most < JOBS ? most : JOBS);
 	for (uint32_t n = 0; n < test->jobs; n++) {
 		make_job(test, n);
+		test->made[n] = test->job[n];
+		if (kind == WILD && n == test->jobs - 1)
+			make_wild(test, &test->job[n]);
 		for (uint32_t side = 0; side < 2; side++)
 			port_host_push(&test->host[side], &test->job[n]);
 	}
@@ -275,8 +309,9 @@ static uint64_t pick_poison(struct test *test, uint32_t n, uint32_t *bytes)
 
 static void arm(struct test *test, enum kind kind)
 {
-	uint32_t bytes, later = kind == LATE ? below(test, 20) : below(test, 2) * ~0u;
-	uint64_t poison = pick_poison(test, below(test, test->jobs), &bytes);
+	uint32_t bytes = 0, later = kind == LATE ? below(test, 20) : below(test, 2) * ~0u;
+	uint64_t poison = kind == POISONED ?
+			  pick_poison(test, below(test, test->jobs), &bytes) : 0;
 
 	for (uint32_t side = 0; side < 2; side++) {
 		struct port_host *host = &test->host[side];
@@ -284,8 +319,8 @@ static void arm(struct test *test, enum kind kind)
 		host->later = kind == LATE || kind == RESET ? later : 0;
 		host->accesses = 0;
 		host->refuse = kind == REFUSED ? 1 + below(test, 200 * test->jobs) : 0;
-		host->poison = kind == POISONED ? poison : 0;
-		host->poison_bytes = kind == POISONED && poison ? bytes : 0;
+		host->poison = poison;
+		host->poison_bytes = poison ? bytes : 0;
 	}
 }
 
@@ -401,22 +436,23 @@ static int check_torn(struct test *test, uint32_t ended)
 	if (reset(test))
 		return 1;
 	for (uint32_t n = ended; n < test->jobs; n++) {
-		forgive_response(test, &test->job[n]);
+		forgive_response(test, &test->made[n]);
 		forgive_host(test, entry_address(test, test->host[0].completion, 16, n), 16);
 	}
 	memcpy(test->memory[1], test->memory[0], STREAM_RANDOM_MEMORY);
 	return compare_host(test);
 }
 
-static int check_refused(struct test *test)
+/* What became of a wild job is not compared: the boards must have ended it, and go on after a reset. */
+static int check_refused(struct test *test, enum kind kind)
 {
-	uint32_t least = test->jobs;
+	uint32_t least = kind == WILD ? test->jobs - 1 : test->jobs;
 
 	for (uint32_t side = 0; side < 2; side++) {
 		struct port_host *host = &test->host[side];
 		uint32_t ended = (port_host_read(host, GLOSS_REG_HEAD) - test->first) & 0xffff;
 
-		if (is_stopped(host) && check_stopped(test, host))
+		if (kind == REFUSED && is_stopped(host) && check_stopped(test, host))
 			return 1;
 		least = ended < least ? ended : least;
 	}
@@ -429,8 +465,8 @@ static int check(struct test *test, enum kind kind)
 
 	if (kind == RESET)
 		return check_torn(test, 0);
-	if (kind == REFUSED && stopped)
-		return check_refused(test);
+	if (kind == WILD || (kind == REFUSED && stopped))
+		return check_refused(test, kind);
 	if (stopped)
 		return check_poisoned(test);
 	if (compare_registers(test, false) || compare_host(test) || compare_board(test))
@@ -448,7 +484,7 @@ static int run_batch(struct test *test)
 	enum kind kind = below(test, 2) ? PLAIN : (enum kind)below(test, KINDS);
 
 	test->batches[kind]++;
-	make_jobs(test);
+	make_jobs(test, kind);
 	arm(test, kind);
 	return run_side(test, kind, 0) || run_side(test, kind, 1) || check(test, kind);
 }
