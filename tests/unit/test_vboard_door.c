@@ -2,16 +2,14 @@
 /* A board in its slot, with its thread; the test is QEMU: the proxy and the qtest socket. */
 #define _GNU_SOURCE
 #include <linux/pci_regs.h>
-#include <poll.h>
-#include <pthread.h>
 #include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include "message.h"
 #include "vboard.h"
+#include "vboard_qtest.h"
 #include "vboard_test.h"
 
 #define REGISTERS 0xfeb00000ull
@@ -24,73 +22,25 @@
 
 static struct vboard vboard;
 static uint8_t board_memory[TEST_BOARD_BYTES];
-static char folder[] = "/tmp/vboard-test-XXXXXX";
-static struct sockaddr_un address;
 static int proxy;			/* our end of the board's socket */
-static int listener, qtest;		/* of the qtest connection */
+static struct test_qtest qtest;
 static int ram;				/* the file that is the host's memory */
 static struct test_host *host;		/* which starts with the memory */
 static uint16_t tail;
 
 /* ---- QEMU: its qtest socket ---- */
 
-static bool qtest_has_more(int milliseconds)
-{
-	struct pollfd polls = { .fd = qtest, .events = POLLIN };
-
-	return poll(&polls, 1, milliseconds) > 0;
-}
-
-/* The next command; it has no answer yet. */
-static void qtest_take(char line[128])
-{
-	size_t length = 0;
-
-	do {
-		assert_true(length < 127 && qtest_has_more(5000));
-		assert_int_equal(recv(qtest, line + length, 1, 0), 1);
-	} while (line[length++] != '\n');
-	line[length - 1] = '\0';
-}
-
-static void qtest_answer(const char *answer)
-{
-	assert_int_equal(send(qtest, answer, strlen(answer), MSG_NOSIGNAL), strlen(answer));
-}
-
-/* Answers all that has come. */
-static void qtest_answer_all(void)
-{
-	char commands[4096];
-	ssize_t i, length;
-
-	if (!qtest_has_more(0))
-		return;
-	length = recv(qtest, commands, sizeof(commands), 0);
-	for (i = 0; i < length; i++)
-		if (commands[i] == '\n')
-			qtest_answer("OK\n");
-}
-
 static void expect_msi(void)
 {
-	char line[128];
-
-	qtest_take(line);
-	assert_string_equal(line, "writel 0xfee00000 0x4041");
-	qtest_answer("OK\n");
+	test_qtest_expect(&qtest, "writel 0xfee00000 0x4041");
+	test_qtest_answer(&qtest, "OK\n");
 }
 
 static void expect_pin(int level, bool answer)
 {
-	char line[128], expected[128];
-
-	snprintf(expected, sizeof(expected), "set_irq_in /machine/q35/ioapic unnamed-gpio-in %d %d",
-		 PIN, level);
-	qtest_take(line);
-	assert_string_equal(line, expected);
+	test_qtest_expect_pin(&qtest, PIN, level);
 	if (answer)
-		qtest_answer("OK\n");
+		test_qtest_answer(&qtest, "OK\n");
 }
 
 /* ---- QEMU: the proxy ---- */
@@ -246,19 +196,13 @@ static void submit(void)
 
 /* ---- power ---- */
 
+/* The board may be there before QEMU is. */
 static void open_qtest(void)
 {
-	assert_non_null(mkdtemp(strcpy(folder, "/tmp/vboard-test-XXXXXX")));
-	address = (struct sockaddr_un){ .sun_family = AF_UNIX };
-	snprintf(address.sun_path, sizeof(address.sun_path), "%s/qtest", folder);
-	assert_int_equal(vboard_qtest_new(address.sun_path, &vboard.qtest), 0);
-	/* The board may be there before QEMU is. */
+	test_qtest_init(&qtest);
+	assert_int_equal(vboard_qtest_new(qtest.address.sun_path, &vboard.qtest), 0);
 	usleep(1000);
-	listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-	assert_int_equal(bind(listener, (struct sockaddr *)&address, sizeof(address)), 0);
-	assert_int_equal(listen(listener, 1), 0);
-	qtest = accept(listener, NULL, NULL);
-	assert_true(qtest >= 0);
+	test_qtest_accept(&qtest);
 }
 
 static void open_memory(void)
@@ -303,12 +247,9 @@ static int end(void)
 	vboard_memory_clear(&vboard.memory);
 	close(vboard.socket);
 	close(vboard.ended);
-	close(qtest);
-	close(listener);
+	test_qtest_fini(&qtest);
 	close(ram);
 	munmap(host, sizeof(*host));
-	unlink(address.sun_path);
-	rmdir(folder);
 	return vboard.error;
 }
 
@@ -371,7 +312,7 @@ static void a_job_goes_by_dma_and_ends_in_a_message(void **state)
 		assert_int_equal(test_host_completed(host, (tail - 1u) % (1u << TEST_RING_LOG2)),
 				 99 + tail);
 	}
-	assert_false(qtest_has_more(20));
+	assert_false(test_qtest_has_more(&qtest, 20));
 }
 
 static void the_pin_is_down_before_the_write_that_lowers_it_is_answered(void **state)
@@ -388,7 +329,7 @@ static void the_pin_is_down_before_the_write_that_lowers_it_is_answered(void **s
 	ask(&clear);
 	expect_pin(0, false);
 	assert_false(answer_comes(50));
-	qtest_answer("OK\n");
+	test_qtest_answer(&qtest, "OK\n");
 	take_answer();
 	assert_false(config_read(PCI_STATUS, 2) & PCI_STATUS_INTERRUPT);
 }
@@ -424,7 +365,7 @@ static void a_reset_is_answered_though_qemu_takes_no_commands(void **state)
 	ask(&reset);
 	assert_true(answer_comes(700));
 	take_answer();
-	qtest_answer("OK\n");
+	test_qtest_answer(&qtest, "OK\n");
 	expect_pin(0, true);
 	assert_int_equal(config_read(PCI_COMMAND, 2), 0);
 	assert_int_equal(config_read(PCI_BASE_ADDRESS_0, 4), 0);
@@ -444,7 +385,7 @@ static void without_bus_mastering_nothing_goes_out(void **state)
 	bar_write(WINDOW + VBOARD_FAULT_DOORBELL, 1, 4);
 	assert_int_equal(bar_read(WINDOW + VBOARD_FAULT_BUS_MASTER_ERRORS, 4), 1);
 	assert_int_equal(test_host_completed(host, 0), 0);
-	assert_false(qtest_has_more(20));
+	assert_false(test_qtest_has_more(&qtest, 20));
 }
 
 static void the_doorbell_is_a_message_and_nothing_else(void **state)
@@ -456,7 +397,7 @@ static void the_doorbell_is_a_message_and_nothing_else(void **state)
 	assert_int_equal(get(GLOSS_REG_INTERRUPT_STATUS), 0);
 	config_write(MSI + PCI_MSI_FLAGS, 0, 2);
 	bar_write(WINDOW + VBOARD_FAULT_DOORBELL, 1, 4);
-	assert_false(qtest_has_more(20));
+	assert_false(test_qtest_has_more(&qtest, 20));
 }
 
 static void a_dead_board_is_gone_from_the_bus(void **state)
@@ -484,7 +425,7 @@ static void a_delayed_doorbell_comes_in_time_or_before_a_request(void **state)
 	drive();
 	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 30000, 4);
 	submit();
-	assert_false(qtest_has_more(5));
+	assert_false(test_qtest_has_more(&qtest, 5));
 	expect_msi();
 	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 100000000, 4);
 	submit();
@@ -551,7 +492,7 @@ static void random_requests_are_all_answered(void **state)
 
 		ask(&request);
 		do
-			qtest_answer_all();
+			test_qtest_answer_all(&qtest);
 		while (!answer_comes(1));
 		take_answer();
 		if (i % 100 == 0)

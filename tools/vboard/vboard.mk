@@ -26,7 +26,7 @@ $(BUILD)/vboard-pci: $(VBOARD_MAIN) $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS) \
 
 # Unit tests, of its files and of a board in its slot.
 VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_vboard_faults \
-	test_vboard_door
+	test_vboard_door test_vboard_qtest
 
 $(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $(VBOARD_OBJECTS) \
 		$(BOARD_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
@@ -45,7 +45,7 @@ vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
 		$(VBOARD_TESTS:%=run-%)
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
-		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door
+		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door run-test_vboard_qtest
 
 CHECKS += vboard vboard-sanitize
 
