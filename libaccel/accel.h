@@ -341,7 +341,7 @@ void accel_stream_reset(struct accel_stream *stream);
  * for to the end or freed. On success *@fence, if @fence is not NULL, is the
  * caller's to wait for and free, and the stream is empty; with NULL the call waits
  * itself, and may fail as accel_fence_wait does, with the stream empty all the same.
- * -EINVAL: no @response for its words; -EIO, -ENODEV.
+ * -EINVAL: no @response for its words, or more words than the board takes; -EIO, -ENODEV.
  */
 int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
 			struct accel_fence **fence);

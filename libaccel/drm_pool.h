@@ -27,7 +27,8 @@ void accel_drm_pool_init(struct accel_drm_pool *pool, int fd);
 /* Every buffer was put or dropped. */
 void accel_drm_pool_fini(struct accel_drm_pool *pool);
 
-/* A buffer of at least @size bytes, not 0; what is in it is anything. -ENOMEM, -ENODEV, -EIO. */
+/* A buffer of at least @size bytes, not 0; what is in it is anything. -EINVAL: larger than the
+ * kernel makes; -ENOMEM, -ENODEV, -EIO. */
 int accel_drm_pool_get(struct accel_drm_pool *pool, uint64_t size,
 		       struct accel_drm_buffer **buffer);
 /* Gives a buffer back that no job uses. */
