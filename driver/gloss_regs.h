@@ -99,7 +99,7 @@
 /* Of these clocks those in which response words waited to be taken. */
 #define GLOSS_REG_STALL_RESPONSE 0x07c
 
-/* Structs in host memory: indices of words, masks of fields narrower than one. */
+/* Structs in host memory: indices of words, masks of narrow fields. */
 
 /* An entry of the ring. Words without a field are zero, but not looked at. */
 #define GLOSS_JOB_DESCRIPTOR_WORDS 16

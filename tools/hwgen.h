@@ -169,7 +169,7 @@ static inline bool hw_same(const char *a, const char *b)
 	return strcmp(a, b) == 0;
 }
 
-/* A constant's value as the XML has it, hex or decimal, with @prefix in front of the digits of hex. */
+/* A constant's value as the XML has it, decimal or @hex_prefix and hexadecimal digits. */
 void hw_number(FILE *out, const struct hw_constant *constant, const char *hex_prefix);
 
 /* upper: COLOUR_MASK; camel: ColourMask. @out has HW_NAME_MAX bytes. */

@@ -231,8 +231,8 @@ static void write_port(FILE *out, const struct hw_interface *hw)
 		if (r->kind == HW_REGISTER && r->fields)
 			write_register(out, r);
 	}
-	fputs("## Structs in host memory\n\nWhat the port reads and writes there; word 0 is the first.\n\n",
-	      out);
+	fputs("## Structs in host memory\n\n"
+	      "What the port reads and writes there; word 0 is the first.\n\n", out);
 	write_records(out, hw, HW_STRUCT, true);
 }
 

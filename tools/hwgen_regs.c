@@ -69,8 +69,8 @@ static void write_struct(const struct writer *w, const struct hw_record *r)
 static bool is_in_register(const struct hw_interface *hw, const struct hw_enum *e)
 {
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		for (const struct hw_field *f = r->fields; f && r->kind == HW_REGISTER; f = f->next) {
-			if (f->enumeration == e)
+		for (const struct hw_field *f = r->fields; f; f = f->next) {
+			if (r->kind == HW_REGISTER && f->enumeration == e)
 				return true;
 		}
 	}
@@ -103,8 +103,7 @@ void hw_write_regs(FILE *out, const struct hw_interface *hw)
 		if (r->kind == HW_REGISTER)
 			write_register(&w, r);
 	}
-	fputs("\n/* Structs in host memory: indices of words, masks of fields narrower than one. */\n",
-	      out);
+	fputs("\n/* Structs in host memory: indices of words, masks of narrow fields. */\n", out);
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
 		if (r->kind == HW_STRUCT && r->port)
 			write_struct(&w, r);

@@ -16,7 +16,7 @@
 #define SMALL_REG_COUNT 0x000
 #define SMALL_REG_TOP 0xfffc
 
-/* Structs in host memory: indices of words, masks of fields narrower than one. */
+/* Structs in host memory: indices of words, masks of narrow fields. */
 
 /* In host memory. */
 #define SMALL_ENTRY_WORDS 2

@@ -14,7 +14,8 @@
 #include "gloss_regs.h"
 #include "job.h"
 
-#define PORT_HOST_BASE UINT64_C(0x1fffff8000)	/* the arena has a carry into the upper half in it */
+/* Inside the arena an address' upper half has a carry. */
+#define PORT_HOST_BASE UINT64_C(0x1fffff8000)
 #define PORT_HOST_BYTES (4u << 20)
 #define PORT_HOST_ARENA (64u << 10)		/* of it, for rings, lists and slot tables */
 #define PORT_HOST_PAGES ((PORT_HOST_BYTES - PORT_HOST_ARENA) / GLOSS_PAGE_BYTES)

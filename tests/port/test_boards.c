@@ -175,7 +175,7 @@ static void dirty_list(struct test *test, uint32_t *low, uint32_t high, uint32_t
 	*low |= below(test, 8);
 }
 
-/* Too little room, streams that end too early, and both up to the border of half a page or a page. */
+/* Too little room, a stream that ends too early, either of them at the border of half a page. */
 static void cut_words(struct test *test, struct gloss_job *job)
 {
 	switch (below(test, 8)) {
@@ -443,7 +443,7 @@ static int check_torn(struct test *test, uint32_t ended)
 	return compare_host(test);
 }
 
-/* What became of a wild job is not compared: the boards must have ended it, and go on after a reset. */
+/* What becomes of a wild job is not compared: the boards end it, and go on after a reset. */
 static int check_refused(struct test *test, enum kind kind)
 {
 	uint32_t least = kind == WILD ? test->jobs - 1 : test->jobs;

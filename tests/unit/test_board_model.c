@@ -66,7 +66,8 @@ static void random_jobs_end_as_without_a_port(void **state)
 		stream_random_memory(memory, sizeof(memory), seed + n);
 		memcpy(board_memory, memory, sizeof(memory));
 		status = run_alone((int)ops->tile_size);
-		assert_true(port_host_init(&host, ops, board_memory, sizeof(board_memory), seed + n));
+		assert_true(port_host_init(&host, ops, board_memory, sizeof(board_memory),
+					   seed + n));
 		d = port_host_describe(&host, &job.job, (uint32_t)n);
 		run_on_board(&host, &d);
 		assert_same(&host, &d, &status);

@@ -290,8 +290,8 @@ static void job_answers_over_the_borders_of_pages_and_nowhere_else(void **state)
 		uint64_t address = port_host_word(host, list, n);
 
 		assert_int_equal(port_host_get(host, address), 0xa0000000 + n);
-		memcpy(before + (address - PORT_HOST_BASE), host->memory + (address - PORT_HOST_BASE),
-		       4);
+		address -= PORT_HOST_BASE;
+		memcpy(before + address, host->memory + address, 4);
 	}
 	memcpy(before + (host->completion - PORT_HOST_BASE),
 	       host->memory + (host->completion - PORT_HOST_BASE), 4 * GLOSS_COMPLETION_WORDS);
@@ -335,7 +335,8 @@ static void job_ignores_low_bits_of_addresses(void **state)
 
 	for (uint32_t n = 0; n < 2; n++) {
 		port_host_set(host, stream + 8 * n, port_host_get(host, stream + 8 * n) | 0xfff);
-		port_host_set(host, response + 8 * n, port_host_get(host, response + 8 * n) | 0x123);
+		port_host_set(host, response + 8 * n,
+			      port_host_get(host, response + 8 * n) | 0x123);
 	}
 	d.stream_list_low |= 7;
 	d.response_list_low |= 5;
@@ -347,7 +348,8 @@ static void job_ignores_low_bits_of_addresses(void **state)
 	host->board->engine.answers = 1;
 	submit(host, &d);
 	assert_memory_equal(host->board->engine.stream, counting_words(), 8000);
-	assert_int_equal(port_host_get(host, port_host_word(host, response, 1999)), 0xa0000000 + 1999);
+	assert_int_equal(port_host_get(host, port_host_word(host, response, 1999)),
+			 0xa0000000 + 1999);
 	assert_int_equal(port_host_completion(host, 0).sequence, 7);
 	assert_int_equal(port_host_read(host, R(RING_LOW)), (uint32_t)host->ring | 63);
 }
@@ -401,12 +403,15 @@ static void completion_is_written_after_the_response_and_before_the_event(void *
 	for (uint32_t n = 0; n < 3; n++) {
 		struct gloss_job_descriptor d = describe(host, 10, 30, 100 + n);
 
+		const struct port_access *last;
+
 		host->accesses = 0;
 		submit(host, &d);
+		last = &host->access[host->accesses - 1];
 		assert_int_equal(host->events, n + 1);
-		assert_true(host->access[host->accesses - 1].write);
-		assert_int_equal(host->access[host->accesses - 1].address, host->completion + 16 * n);
-		assert_int_equal(host->access[host->accesses - 1].bytes, 16);
+		assert_true(last->write);
+		assert_int_equal(last->address, host->completion + 16 * n);
+		assert_int_equal(last->bytes, 16);
 	}
 }
 
