@@ -315,6 +315,32 @@ static void a_job_goes_by_dma_and_ends_in_a_message(void **state)
 	assert_false(test_qtest_has_more(&qtest, 20));
 }
 
+/* All requests are there at once, and the host takes answers as fast as they come. */
+static void a_host_that_keeps_asking_does_not_stop_the_board(void **state)
+{
+	enum { ASKED = 3000 };
+	struct request request = bar_request(VBOARD_BAR_READ, REGISTERS + GLOSS_REG_HEAD, 0, 4);
+	const size_t size = 16 + request.bytes;
+	uint8_t *all = malloc(ASKED * size);
+	uint64_t head = 0;
+	int i;
+
+	(void)state;
+	enable(true);
+	drive();
+	test_host_job(host, 0, 100);
+	for (i = 0; i < ASKED; i++)
+		memcpy(all + i * size, &request, size);
+	request = bar_request(VBOARD_BAR_WRITE, REGISTERS + GLOSS_REG_TAIL, 1, 4);
+	memcpy(all, &request, size);
+	assert_int_equal(send(proxy, all, ASKED * size, MSG_NOSIGNAL), ASKED * size);
+	for (i = 0; i < ASKED; i++)
+		head = take_answer();
+	assert_int_equal(head, 1);
+	expect_msi();
+	free(all);
+}
+
 static void the_pin_is_down_before_the_write_that_lowers_it_is_answered(void **state)
 {
 	struct request clear = bar_request(VBOARD_BAR_WRITE, REGISTERS + GLOSS_REG_INTERRUPT_STATUS,
@@ -517,6 +543,7 @@ int main(void)
 		door_test(registers_answer_where_the_bar_is),
 		door_test(accesses_of_other_widths_are_made_of_words),
 		door_test(a_job_goes_by_dma_and_ends_in_a_message),
+		door_test(a_host_that_keeps_asking_does_not_stop_the_board),
 		door_test(the_pin_is_down_before_the_write_that_lowers_it_is_answered),
 		door_test(the_pin_follows_the_command_register),
 		door_test(a_reset_is_answered_though_qemu_takes_no_commands),

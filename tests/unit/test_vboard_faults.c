@@ -133,6 +133,27 @@ static void a_board_without_faults_is_the_board(void **state)
 	assert_int_equal(vboard_faults_due(&faults), UINT64_MAX);
 }
 
+static uint32_t jobs_after_write(uint64_t address)
+{
+	const uint8_t record[4 * GLOSS_COMPLETION_WORDS] = { 0 };
+
+	assert_int_equal(faults.host.write(faults.host.data, TEST_HOST_BASE + address, record,
+					   sizeof(record)), GLOSS_DMA_DONE);
+	return armed(VBOARD_FAULT_JOBS);
+}
+
+static void only_a_completion_record_ends_a_job(void **state)
+{
+	(void)state;
+	assert_int_equal(jobs_after_write(TEST_COMPLETION - 16), 0);
+	assert_int_equal(jobs_after_write(TEST_COMPLETION + 8), 0);
+	assert_int_equal(jobs_after_write(TEST_COMPLETION + (16 << TEST_RING_LOG2)), 0);
+	assert_int_equal(jobs_after_write(TEST_COMPLETION + (16 << TEST_RING_LOG2) - 16), 1);
+	put(GLOSS_REG_RING_LOG2, GLOSS_REG_RING_LOG2_LOG2);
+	assert_int_equal(jobs_after_write(TEST_COMPLETION + (16 << GLOSS_RING_MAX_LOG2)), 1);
+	assert_int_equal(jobs_after_write(TEST_COMPLETION + (16 << GLOSS_RING_MAX_LOG2) - 16), 2);
+}
+
 static void a_delayed_write_waits_for_its_time(void **state)
 {
 	(void)state;
@@ -400,6 +421,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		faults_test(a_board_without_faults_is_the_board),
+		faults_test(only_a_completion_record_ends_a_job),
 		faults_test(a_delayed_write_waits_for_its_time),
 		faults_test(a_read_pushes_delayed_writes_in_their_order),
 		faults_test(interrupts_are_lost_as_many_as_asked),
