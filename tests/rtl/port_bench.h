@@ -18,8 +18,17 @@ struct PortJob {
 	PortAnswer answer;
 	std::vector<PortSlot> slots;
 	uint32_t entry;				/* in the ring */
+	uint64_t table;				/* of slots */
 	std::vector<uint64_t> pages;		/* of the response */
 	std::vector<uint32_t> expected;		/* all words of these */
+	std::vector<uint64_t> starts;		/* of what is its own: slot table, lists, pages */
+
+	bool owns(uint64_t address) const
+	{
+		auto near = [address](uint64_t start) { return address - start < 4096; };
+
+		return std::any_of(starts.begin(), starts.end(), near);
+	}
 };
 
 class PortBench : public Bench<Vport_pci> {
@@ -71,7 +80,8 @@ public:
 		host.unmap_all();
 		host.strict = true;
 		host.refuse = -1;
-		host.has_refused = false;
+		host.refuse_rest = false;
+		host.refusals.clear();
 		core.hung = false;
 		entries = 1u << std::min<uint32_t>(log2, GLOSS_RING_MAX_LOG2);
 		ring = place(64 * entries, 64);
@@ -122,6 +132,8 @@ public:
 	void prepare(PortJob job)
 	{
 		uint64_t at = ring + 64 * (tail % entries);
+
+		placed.clear();
 		uint64_t stream_list = list(place_stream(job.stream));
 		uint64_t response_list, table = place_slots(job.slots);
 
@@ -141,6 +153,8 @@ public:
 		host.word(at + 16) = job.room;
 		set64(at + 24, response_list | random.below(8));
 		set64(at + 32, table | random.below(64));
+		job.starts = placed;
+		job.table = table;
 		job.entry = tail++ % entries;
 		core.answers.push_back(job.answer);
 		jobs.push_back(job);
@@ -212,6 +226,7 @@ public:
 			at &= 0xffffffff;
 		for (uint64_t page = at & ~4095ull; page - (at & ~4095ull) < (at & 4095) + bytes; page += 4096)
 			host.map(page);
+		placed.push_back(at);
 		return at;
 	}
 
@@ -261,8 +276,11 @@ private:
 	{
 		messages++;
 		message_clock = clocks;
-		if (jobs.empty() || host.has_refused)
+		if (core.seen.empty()) {
+			TB_CHECK(!host.refusals.empty(), "a message of nothing");
 			return;
+		}
+		TB_CHECK(!jobs.empty(), "a message too many");
 		check(jobs.front());
 		jobs.pop_front();
 		head++;
@@ -272,7 +290,6 @@ private:
 	{
 		uint64_t record = records + 16 * job.entry;
 
-		TB_CHECK(!core.seen.empty(), "a job has ended that the core did not see");
 		const PortSeen &seen = core.seen.front();
 		TB_CHECK(seen.stream_words == job.stream.size() && seen.response_words == job.room &&
 			 seen.stream == job.stream, "the stream is not the job's");
@@ -339,6 +356,7 @@ private:
 	}
 
 	std::map<uint32_t, PortJob> last;	/* by entry */
+	std::vector<uint64_t> placed;
 	bool access_done = false, was_running = false;
 	uint32_t access_answer = 0;
 	int memory_wait = 0;

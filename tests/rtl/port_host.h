@@ -11,6 +11,7 @@
 #include <array>
 #include <deque>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "tb.h"
@@ -95,10 +96,9 @@ public:
 
 	bool strict = true;
 	int refuse = -1;		/* the access with this number, from now */
-	uint64_t refused = 0;		/* the address of the first that was */
-	bool has_refused = false;
-	uint64_t accesses = 0, read_beats = 0;
-	uint64_t last_read = 0;		/* address */
+	bool refuse_rest = false;	/* and all after it */
+	std::set<uint64_t> refusals;	/* addresses that were */
+	uint64_t accesses = 0;
 
 private:
 	struct Burst {
@@ -128,6 +128,8 @@ private:
 			 "burst of %u at %" PRIx64 " crosses 4 KiB", burst.beats, address);
 		accesses++;
 		burst.bad = refuse >= 0 && refuse-- == 0;
+		if (burst.bad && refuse_rest)
+			refuse = 0;
 		if (!pages.count(address / page_bytes)) {
 			TB_CHECK(!strict, "access to %" PRIx64 ", where nothing is", address);
 			burst.bad = true;
@@ -140,9 +142,7 @@ private:
 
 	unsigned int refusal(const Burst &burst)
 	{
-		if (!has_refused)
-			refused = burst.address;
-		has_refused = true;
+		refusals.insert(burst.address);
 		return burst.address >> 12 & 1 ? 2 : 3;
 	}
 
@@ -178,8 +178,6 @@ private:
 		if (!top.host_arvalid_o || ar_waits)
 			return;
 		reads.push_back(burst(ar_address, ar_length, clock));
-		read_beats += reads.back().beats;
-		last_read = ar_address;
 		bad_word = random.bits();
 	}
 
