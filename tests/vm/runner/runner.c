@@ -154,7 +154,7 @@ static const char *check_boards(void)
 	const char *const pci[] = { "GLOSS_PCI_RTL", "GLOSS_PCI_MODEL" };
 	int found = board_find(boards, NODE_MS * plan.slow);
 
-	for (int i = 0; i < found; i++) {
+	for (int i = 0; found == BOARDS && i < BOARDS; i++) {
 		setenv(nodes[i], boards[i].node, 1);
 		setenv(pci[i], boards[i].pci, 1);
 	}
@@ -175,6 +175,19 @@ static bool load(void)
 	return run_step("load", insmod, check_boards);
 }
 
+/* So that one test that fails does not take all others with it. */
+static void bring_boards_back(void)
+{
+	FILE *file = fopen("/sys/bus/pci/rescan", "w");
+
+	if (file) {
+		fputs("1", file);
+		fclose(file);
+	}
+	check_boards();
+	free(log_take());
+}
+
 static void run_test(const struct plan_test *test)
 {
 	char path[512], output[512];
@@ -186,12 +199,16 @@ static void run_test(const struct plan_test *test)
 		.group = render,
 		.seconds = test->seconds * plan.slow,
 	};
+	const char *wrong;
 
 	snprintf(path, sizeof(path), "%s/tests/vm/%s", plan.build, test->name);
 	snprintf(output, sizeof(output), "%s/%s.log", plan.out, test->name);
 	setenv("GLOSS_TEST", test->name, 1);
 	program_run(&program, log_fd, board_fd);
-	tell(test->name, &program, check_boards());
+	wrong = check_boards();
+	tell(test->name, &program, wrong);
+	if (wrong)
+		bring_boards_back();
 }
 
 static void run_kunit(void)
