@@ -15,7 +15,7 @@
  *
  * Locks, outer ones first: gloss_device.stop, gloss_clear.queue_lock, a reservation
  * (dma_resv), gloss_file.lock or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock;
- * gloss_hosts.lock and gloss_memory.lock, each alone, but for gloss_host.map_lock.
+ * gloss_hosts.lock and gloss_memory.lock, each alone.
  * The interrupt takes those of the ring. The scheduler's thread, and while that is
  * stopped whoever has stopped it, are the only ones to push jobs into the ring.
  */
@@ -35,6 +35,7 @@
 #include <linux/semaphore.h>
 #include <linux/spinlock.h>
 #include <linux/wait.h>
+#include <linux/workqueue.h>
 
 #include "gloss_compat.h"
 #include "gloss_drm.h"
@@ -97,12 +98,7 @@ struct gloss_ring {
 
 /* The host objects that are mapped, so that none stays so when the board has gone. */
 struct gloss_hosts {
-	/*
-	 * Protects the following, and each object's mapping. The scheduler's thread takes it
-	 * to free a job, before it runs the next. To wait for memory may be to wait for a
-	 * fence, so whoever has this lock must not.
-	 */
-	struct mutex lock;
+	struct mutex lock;		/* protects the following, and each object's mapping */
 	struct list_head list;
 	bool gone;
 };
@@ -141,6 +137,7 @@ struct gloss_device {
 
 	struct drm_gpu_scheduler sched;
 	struct workqueue_struct *sched_wq;	/* looks at late jobs, one at a time */
+	struct workqueue_struct *free_wq;	/* frees jobs that have ended */
 	struct semaphore stop;		/* whoever has it may stop the scheduler */
 	atomic_t resets, interrupts_lost;	/* for debugfs */
 
@@ -181,7 +178,6 @@ struct gloss_host {
 	struct drm_gem_shmem_object base;
 	struct list_head node;		/* in gloss_hosts.list, if anything of it is mapped */
 	struct dma_buf_attachment *attach;	/* of an imported object, else NULL */
-	struct mutex map_lock;		/* it is mapped once; outside of gloss_hosts.lock */
 	bool pinned;			/* base.pages stay until the object goes */
 	__le64 *list;
 	dma_addr_t list_address;
@@ -238,6 +234,7 @@ struct gloss_job {
 
 	/* Allocated with the job, initialised when it is first run. */
 	struct dma_fence *fence;
+	struct work_struct free;		/* of gloss_device.free_wq */
 	enum gloss_job_state state;
 	/* Why the board is to skip this job, which then is how it ends; 0: it is not. */
 	int refused;
@@ -348,6 +345,7 @@ struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *c
 void gloss_job_begin(struct gloss_job *job);
 void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status);
 void gloss_job_free(struct gloss_job *job);
+void gloss_job_free_work(struct work_struct *work);
 
 /* gloss_sched.c */
 int gloss_sched_init(struct gloss_device *gdev);

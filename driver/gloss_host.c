@@ -122,17 +122,30 @@ static bool gloss_host_imported(const struct gloss_host *host)
 	return host->attach;
 }
 
-static int gloss_host_fill_list(struct gloss_host *host)
+static int gloss_host_make_list(struct gloss_host *host)
 {
 	int ret;
 
+	host->list = kmalloc_array(gloss_host_entries(host), sizeof(*host->list),
+				   GFP_KERNEL | __GFP_NOWARN);
+	if (!host->list)
+		return -ENOMEM;
+
 	ret = gloss_host_imported(host) ? gloss_host_list_pages(host) : gloss_host_map_pages(host);
 	if (ret)
-		return ret;
+		goto free;
 
 	ret = gloss_host_map_list(host);
-	if (ret && !gloss_host_imported(host))
+	if (ret)
+		goto unmap;
+	return 0;
+
+unmap:
+	if (!gloss_host_imported(host))
 		gloss_host_unmap_pages(host, gloss_host_entries(host));
+free:
+	kfree(host->list);
+	host->list = NULL;
 	return ret;
 }
 
@@ -148,49 +161,21 @@ static int gloss_host_pin(struct gloss_host *host)
 	return ret;
 }
 
-/* Takes over @list, on an error too. Waits for no memory: see gloss_hosts.lock. */
-static int gloss_host_use_list(struct gloss_host *host, __le64 *list)
-{
-	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
-	int ret;
-
-	mutex_lock(&hosts->lock);
-	host->list = list;
-	ret = hosts->gone ? -ENODEV : gloss_host_fill_list(host);
-	if (ret)
-		host->list = NULL;
-	else
-		list_move(&host->node, &hosts->list);
-	mutex_unlock(&hosts->lock);
-	if (ret)
-		kfree(list);
-	return ret;
-}
-
-static int gloss_host_make_list(struct gloss_host *host)
-{
-	__le64 *list;
-	int ret;
-
-	ret = gloss_host_pin(host);
-	if (ret)
-		return ret;
-
-	list = kmalloc_array(gloss_host_entries(host), sizeof(*list), GFP_KERNEL | __GFP_NOWARN);
-	if (!list)
-		return -ENOMEM;
-	return gloss_host_use_list(host, list);
-}
-
 /* Makes sure that the board can reach the object, as long as it is there. */
 int gloss_host_map(struct gloss_host *host)
 {
+	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
 	int ret = 0;
 
-	mutex_lock(&host->map_lock);
-	if (!READ_ONCE(host->list))
-		ret = gloss_host_make_list(host);
-	mutex_unlock(&host->map_lock);
+	mutex_lock(&hosts->lock);
+	if (hosts->gone) {
+		ret = -ENODEV;
+	} else if (!host->list) {
+		ret = gloss_host_pin(host) ?: gloss_host_make_list(host);
+		if (!ret)
+			list_move(&host->node, &hosts->list);
+	}
+	mutex_unlock(&hosts->lock);
 	return ret;
 }
 
@@ -248,7 +233,6 @@ static void gloss_host_free(struct drm_gem_object *object)
 	mutex_unlock(&hosts->lock);
 	if (host->pinned)
 		drm_gem_shmem_unpin(&host->base);
-	mutex_destroy(&host->map_lock);
 	drm_gem_shmem_free(&host->base);
 }
 
@@ -275,7 +259,6 @@ struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size)
 		return ERR_PTR(-ENOMEM);
 
 	INIT_LIST_HEAD(&host->node);
-	mutex_init(&host->map_lock);
 	host->base.base.funcs = &gloss_host_funcs;
 	/* What programs and the board write reaches no dirty bit of a page table. */
 	host->base.pages_mark_dirty_on_put = true;
@@ -289,37 +272,25 @@ struct drm_gem_object *gloss_host_create(struct gloss_device *gdev, size_t size)
 	return IS_ERR(shmem) ? ERR_CAST(shmem) : &shmem->base;
 }
 
-/* False if the board has gone. */
-static bool gloss_host_add_import(struct gloss_host *host, struct dma_buf_attachment *attach)
-{
-	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
-	bool added;
-
-	mutex_lock(&hosts->lock);
-	added = !hosts->gone;
-	if (added) {
-		host->attach = attach;
-		list_add(&host->node, &hosts->list);
-	}
-	mutex_unlock(&hosts->lock);
-	return added;
-}
-
 /* drm_driver.gem_prime_import_sg_table: the dma-buf is mapped from the start. */
 struct drm_gem_object *gloss_host_import(struct drm_device *drm,
 					 struct dma_buf_attachment *attach, struct sg_table *sgt)
 {
+	struct gloss_hosts *hosts = &to_gloss_device(drm)->hosts;
 	struct drm_gem_object *object;
 
 	if (!attach->dmabuf->size || attach->dmabuf->size > GLOSS_HOST_SIZE_MAX)
 		return ERR_PTR(-EINVAL);
 
-	object = drm_gem_shmem_prime_import_sg_table(drm, attach, sgt);
-	if (IS_ERR(object) || gloss_host_add_import(to_gloss_host(object), attach))
-		return object;
+	mutex_lock(&hosts->lock);
+	object = hosts->gone ? ERR_PTR(-ENODEV) :
+			       drm_gem_shmem_prime_import_sg_table(drm, attach, sgt);
+	if (!IS_ERR(object)) {
+		struct gloss_host *host = to_gloss_host(object);
 
-	/* On an error it is still the caller who unmaps it. */
-	to_gloss_host(object)->base.sgt = NULL;
-	drm_gem_object_put(object);
-	return ERR_PTR(-ENODEV);
+		host->attach = attach;
+		list_add(&host->node, &hosts->list);
+	}
+	mutex_unlock(&hosts->lock);
+	return object;
 }

@@ -6,7 +6,7 @@
  * locks their reservations and pushes it to its entity. From then on the scheduler owns
  * it: when all it depends on has ended, gloss_sched_run_job puts it into the ring. The
  * interrupt finds that it has ended, writes its status to the page that waits for it, and
- * signals its fence. At last the scheduler's thread frees it, and drops what it used.
+ * signals its fence. At last a work frees it, and drops what it used.
  */
 #include <drm/drm_gem.h>
 #include <linux/dma-resv.h>
@@ -51,6 +51,7 @@ struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *fi
 		goto free_fence;
 
 	job->gdev = gdev;
+	INIT_WORK(&job->free, gloss_job_free_work);
 	if (file) {
 		kref_get(&file->ref);
 		job->file = file;
@@ -150,8 +151,10 @@ struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *c
 {
 	struct mutex *lock = job->file ? &job->file->lock : &job->gdev->clear.lock;
 	struct dma_fence *fence;
+	bool signalling;
 
 	mutex_lock(lock);
+	signalling = dma_fence_begin_signalling();
 	drm_sched_job_arm(&job->base);
 	fence = dma_fence_get(&job->base.s_fence->finished);
 	/* Who uses an object that is being cleared has to know first whether that worked. */
@@ -162,6 +165,7 @@ struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *c
 	/* Once it is pushed, the job may end, and be gone with its objects. */
 	drm_gem_unlock_reservations(job->object, job->objects, ctx);
 	drm_sched_entity_push_job(&job->base);
+	dma_fence_end_signalling(signalling);
 	mutex_unlock(lock);
 	return fence;
 }
@@ -253,4 +257,9 @@ void gloss_job_free(struct gloss_job *job)
 
 	atomic_dec(&gdev->jobs);
 	wake_up_all(&gdev->jobs_wait);
+}
+
+void gloss_job_free_work(struct work_struct *work)
+{
+	gloss_job_free(container_of(work, struct gloss_job, free));
 }

@@ -78,9 +78,15 @@ static struct dma_fence *gloss_sched_run_job(struct drm_sched_job *base)
 	return fence;
 }
 
+/*
+ * The last reference to an object may be a job's, and to drop that may take locks whose
+ * owners wait for fences or for memory: not for this thread, which has jobs to run.
+ */
 static void gloss_sched_free_job(struct drm_sched_job *base)
 {
-	gloss_job_free(to_gloss_job(base));
+	struct gloss_job *job = to_gloss_job(base);
+
+	queue_work(job->gdev->free_wq, &job->free);
 }
 
 static void gloss_sched_read_fault(struct gloss_device *gdev, struct gloss_ring_fault *fault)
@@ -224,7 +230,29 @@ static void gloss_sched_fini(struct drm_device *drm, void *data)
 
 	wait_event(gdev->jobs_wait, !atomic_read(&gdev->jobs));
 	drm_sched_fini(&gdev->sched);
+}
+
+static void gloss_sched_fini_queues(struct drm_device *drm, void *data)
+{
+	struct gloss_device *gdev = to_gloss_device(drm);
+
+	destroy_workqueue(gdev->free_wq);
 	destroy_workqueue(gdev->sched_wq);
+}
+
+static int gloss_sched_init_queues(struct gloss_device *gdev)
+{
+	/* Who waits for memory may wait for a fence, and that for this. */
+	gdev->sched_wq = alloc_ordered_workqueue("gloss", WQ_MEM_RECLAIM);
+	if (!gdev->sched_wq)
+		return -ENOMEM;
+
+	gdev->free_wq = alloc_workqueue("gloss_free", 0, 0);
+	if (!gdev->free_wq) {
+		destroy_workqueue(gdev->sched_wq);
+		return -ENOMEM;
+	}
+	return drmm_add_action_or_reset(&gdev->drm, gloss_sched_fini_queues, NULL);
 }
 
 int gloss_sched_init(struct gloss_device *gdev)
@@ -232,17 +260,13 @@ int gloss_sched_init(struct gloss_device *gdev)
 	int ret;
 
 	sema_init(&gdev->stop, 1);
-	gdev->sched_wq = alloc_ordered_workqueue("gloss", 0);
-	if (!gdev->sched_wq)
-		return -ENOMEM;
-
-	ret = gloss_compat_sched_init(&gdev->sched, &gloss_sched_ops, GLOSS_JOBS_AHEAD,
+	ret = gloss_sched_init_queues(gdev) ?:
+	      gloss_compat_sched_init(&gdev->sched, &gloss_sched_ops, GLOSS_JOBS_AHEAD,
 				      msecs_to_jiffies(gloss_sched_timeout_ms()),
 				      gdev->sched_wq, gdev->drm.dev);
-	if (ret) {
-		destroy_workqueue(gdev->sched_wq);
+	if (ret)
 		return ret;
-	}
+
 	gloss_compat_sched_calm(&gdev->sched);
 	return drmm_add_action_or_reset(&gdev->drm, gloss_sched_fini, NULL);
 }
