@@ -15,6 +15,7 @@ static int memory_test_init(struct kunit *test)
 	gdev->memory.size = MEMORY_SIZE;
 	gdev->memory.granule = gloss_clear_tile_bytes(gdev);
 	mutex_init(&gdev->memory.lock);
+	mutex_init(&gdev->clear.queue_lock);
 	drm_mm_init(&gdev->memory.mm, 0, MEMORY_SIZE);
 	gloss_kunit_jobs_init(test);
 	test->priv = gdev;
@@ -102,12 +103,30 @@ static void memory_clear_job_may_only_write(struct kunit *test)
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[0].slot[1].size, 0);
 }
 
-static void memory_clear_that_fails_is_told_and_freed(struct kunit *test)
+static void memory_is_cleared_once(struct kunit *test)
 {
+	struct gloss_board *board = memory_board(test, 1);
+
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board), 0);
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board), 0);
+	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->pushed, 1);
+}
+
+/* Else a job could use what only the first try was for. */
+static void memory_clear_that_fails_is_done_again(struct kunit *test)
+{
+	struct gloss_board *board = memory_board(test, MEMORY_SIZE / 2);
+	unsigned int before;
+
 	gloss_kunit_jobs->fail_at = 2;
-	KUNIT_EXPECT_EQ(test, gloss_clear_board(memory_board(test, MEMORY_SIZE / 2)), -EINTR);
+	KUNIT_EXPECT_EQ(test, gloss_clear_board(board), -EINTR);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->pushed, 1);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->freed, 1);
+
+	before = gloss_kunit_jobs->count;
+	gloss_kunit_jobs->fail_at = 0;
+	KUNIT_EXPECT_EQ(test, gloss_clear_board(board), 0);
+	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[before].slot[0].base, board->node.start);
 }
 
 /* The words of a packet as rtl/INTERFACE.md has them, in the stream of each length. */
@@ -140,7 +159,8 @@ static struct kunit_case memory_cases[] = {
 	KUNIT_CASE(memory_all_of_it_can_be_had),
 	KUNIT_CASE(memory_clear_covers_every_byte_once),
 	KUNIT_CASE(memory_clear_job_may_only_write),
-	KUNIT_CASE(memory_clear_that_fails_is_told_and_freed),
+	KUNIT_CASE(memory_is_cleared_once),
+	KUNIT_CASE(memory_clear_that_fails_is_done_again),
 	KUNIT_CASE(memory_clear_stream_is_a_tile_a_time),
 	{}
 };

@@ -102,26 +102,6 @@ static void submit_slot_has_known_rights(struct kunit *test)
 	KUNIT_EXPECT_FALSE(test, gloss_submit_slot_valid(&slot, 4096));
 }
 
-static void submit_sync_has_a_point_if_it_is_a_timeline(struct kunit *test)
-{
-	struct drm_minor minor = { .dev = submit_device(test) };
-	struct drm_file *file = kunit_kzalloc(test, sizeof(*file), GFP_KERNEL);
-	struct drm_gloss_sync sync = { .handle = 1 };
-
-	KUNIT_ASSERT_NOT_NULL(test, file);
-	file->minor = &minor;
-	KUNIT_EXPECT_EQ(test, gloss_sync_check(file, &sync), 0);
-	sync.point = 1;
-	KUNIT_EXPECT_EQ(test, gloss_sync_check(file, &sync), -EINVAL);
-	sync.flags = DRM_GLOSS_SYNC_TIMELINE;
-	KUNIT_EXPECT_EQ(test, gloss_sync_check(file, &sync), 0);
-	sync.point = 0;
-	KUNIT_EXPECT_EQ(test, gloss_sync_check(file, &sync), -EINVAL);
-	sync.point = 1;
-	sync.flags |= 2;
-	KUNIT_EXPECT_EQ(test, gloss_sync_check(file, &sync), -EINVAL);
-}
-
 static struct kunit_case submit_cases[] = {
 	KUNIT_CASE(submit_counts_have_limits),
 	KUNIT_CASE(submit_strides_are_the_sizes_of_what_is_there),
@@ -129,7 +109,6 @@ static struct kunit_case submit_cases[] = {
 	KUNIT_CASE(submit_slot_is_inside_its_object),
 	KUNIT_CASE(submit_slot_is_below_4_gib),
 	KUNIT_CASE(submit_slot_has_known_rights),
-	KUNIT_CASE(submit_sync_has_a_point_if_it_is_a_timeline),
 	{}
 };
 
