@@ -54,6 +54,7 @@ check-vm: vm-programs $(MODULE) ## the driver on virtual boards, in a virtual ma
 bench-drm: vm-programs $(MODULE) ## time of an empty job through the driver
 	$(Q)tests/vm/run --build $(BUILD) $(VM_BENCHES)
 
+CHECKS  += check-vm
 BENCHES += bench-drm
 
 # The same on a kernel that checks everything; with its own module, made for that kernel.
