@@ -269,6 +269,9 @@ struct drm_gem_object *gloss_host_create(struct gloss_device *gdev, size_t size)
 {
 	struct drm_gem_shmem_object *shmem = drm_gem_shmem_create(&gdev->drm, size);
 
+	/* shmem's word for no memory for an inode; here it is board memory that may be full. */
+	if (shmem == ERR_PTR(-ENOSPC))
+		return ERR_PTR(-ENOMEM);
 	return IS_ERR(shmem) ? ERR_CAST(shmem) : &shmem->base;
 }
 
