@@ -86,7 +86,10 @@ static void gloss_sched_free_job(struct drm_sched_job *base)
 {
 	struct gloss_job *job = to_gloss_job(base);
 
-	queue_work(job->gdev->free_wq, &job->free);
+	if (job->objects)
+		queue_work(job->gdev->free_wq, &job->free);
+	else
+		gloss_job_free(job);
 }
 
 static void gloss_sched_read_fault(struct gloss_device *gdev, struct gloss_ring_fault *fault)
