@@ -23,7 +23,7 @@ module: $(MODULE) ## build gloss.ko (KDIR: for which kernel, MODULE_BUILD: where
 $(MODULE): $(MODULE_SOURCES) $(MODULE_BUILD)/kdir
 	$(call quiet,KBUILD,$@)
 	$(Q)ln -sf $(abspath $(MODULE_SOURCES)) $(MODULE_BUILD)/
-	$(Q)$(KBUILD) modules
+	$(Q)+$(KBUILD) modules
 	@touch $@
 
 $(MODULE_BUILD)/kdir: FORCE
@@ -67,7 +67,7 @@ lint-checkpatch: $(KERNEL_SCRIPTS)/checkpatch.pl ## the kernel's checkpatch on t
 lint-sparse: $(MODULE) ## sparse on the driver
 	$(call quiet,LINT,sparse driver)
 	@mkdir -p $(BUILD)/check
-	$(Q)$(KBUILD) -s C=2 CHECK=sparse modules >$(BUILD)/check/sparse.log 2>&1; \
+	$(Q)+$(KBUILD) -s C=2 CHECK=sparse modules >$(BUILD)/check/sparse.log 2>&1; \
 		[ $$? -eq 0 ] && [ ! -s $(BUILD)/check/sparse.log ] || \
 		{ cat $(BUILD)/check/sparse.log; exit 1; }
 
