@@ -33,19 +33,36 @@ PORT_TB := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h port_
 PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
 	ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
 
+PORT_TB_NEEDS := $(PORT_TB) driver/gloss_regs.h libaccel/gloss_packets.h
+
+# $(1): parameters, $(2): sources, $(3): flags for Verilator
 define port_bench
-$(BUILD)/rtl/port-$(1)-$(2)-$(3)/bench: $(PORT_TB) $(PORT_TB_SOURCES) rtl/gloss_hw.svh driver/gloss_regs.h libaccel/gloss_packets.h
-	$$(call quiet,RTL,$$@)
-	$(Q)mkdir -p $$(@D)
+	$(call quiet,RTL,$@)
+	$(Q)mkdir -p $(@D)
 	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_pci \
-		-GTileSize=$(1) -GPixelsPerClock=$(2) -GStreamBits=$(3) -Irtl --Mdir $$(@D) -o bench \
-		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" -CFLAGS "-DTILE=$(1) -DLANES=$(2) -DSTREAM=$(3) \
-		-I$$(CURDIR)/driver -I$$(CURDIR)/libaccel" \
-		$$(PORT_TB_SOURCES) $$(CURDIR)/tests/rtl/tb_port_pci.cpp >$$(@D)/log || \
-		{ cat $$(@D)/log; exit 1; }
-PORT_BENCHES += $(BUILD)/rtl/port-$(1)-$(2)-$(3)/bench
+		$(3) --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
+		-CFLAGS "$(call raster_define,$(1)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
+		$(2) $(CURDIR)/tests/rtl/tb_port_pci.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
 endef
-$(foreach core,$(PORT_CORES),$(eval $(call port_bench,$(word 1,$(subst -, ,$(core))),$(word 2,$(subst -, ,$(core))),$(word 3,$(subst -, ,$(core))))))
+
+$(BUILD)/rtl/port-%/bench: $(PORT_TB_NEEDS) $(PORT_TB_SOURCES) rtl/gloss_hw.svh
+	$(call port_bench,$(call raster_core,$*),$(PORT_TB_SOURCES),-Irtl $(call \
+		raster_set,$(call raster_core,$*)))
+
+# The same bench on what yosys reads.
+$(BUILD)/rtl/read-port-%/port_pci.v: $(PORT_TB_SOURCES) rtl/gloss_hw.svh
+	$(call quiet,YOSYS,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)yosys -q -p "read_verilog -sv -Irtl $(PORT_TB_SOURCES); \
+		chparam $(subst -G,-set ,$(subst =, ,$(call raster_set,$(call raster_core,$*)))) port_pci; \
+		hierarchy -check -top port_pci; proc; flatten; opt; rename -top port_pci; \
+		write_verilog -noattr $@" >$(@D)/yosys.log 2>&1 || { cat $(@D)/yosys.log; exit 1; }
+
+$(BUILD)/rtl/read-port-%/bench: $(BUILD)/rtl/read-port-%/port_pci.v $(PORT_TB_NEEDS)
+	$(call port_bench,$(call raster_core,$*),$<,-Wno-fatal -Wno-lint -Wno-style -Wno-UNOPTFLAT)
+
+PORT_BENCHES = $(PORT_CORES:%=$(BUILD)/rtl/port-%/bench) $(BUILD)/rtl/read-port-64-4-64/bench \
+	$(addprefix $(BUILD)/rtl/,gate-1/bench gate-8/bench)
 
 GATE_SOURCES := rtl/port/port_gate.sv rtl/lib/stream_fifo.sv rtl/lib/stream_register.sv
 $(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tests/rtl/tb.h $(GATE_SOURCES)
@@ -55,7 +72,6 @@ $(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tes
 		-GDataBits=$$((32 * $*)) --Mdir $(@D) -o bench \
 		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" -CFLAGS "-DLANES=$*" \
 		$(GATE_SOURCES) $(CURDIR)/tests/rtl/tb_port_gate.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
-PORT_BENCHES += $(addprefix $(BUILD)/rtl/,gate-1/bench gate-8/bench)
 
 .PHONY: rtl-port
 rtl-port: $(PORT_BENCHES) ## the PCI port: jobs, interrupts, refused DMA, resets, with random stalls
