@@ -72,6 +72,9 @@ struct attempt {
 	void (*clean)(void);		/* always */
 };
 
+/* The handle that the next object gets. */
+static uint32_t free_handle;
+
 static void nothing(void)
 {
 }
@@ -106,12 +109,12 @@ static bool fail_once(const struct attempt *attempt, int n, int *refused)
 
 static void fail_each(const struct attempt *attempt)
 {
-	uint32_t before = probe_handle();
 	int n = 1, refused = 0;
 
+	free_handle = probe_handle();
 	while (fail_once(attempt, n, &refused)) {
 		assert_true(client_works(&client));
-		assert_int_equal(probe_handle(), before);
+		assert_int_equal(probe_handle(), free_handle);
 		assert_in_range(++n, 1, ALLOCATIONS_MOST);
 	}
 	print_message("%d allocations, %d refusals\n", n - 1, refused);
@@ -141,14 +144,27 @@ static void open_is_refused_or_right(void **state)
 
 static uint32_t created;
 
+/*
+ * If it is the copy of the answer that fails, the object has been made, as by any DRM driver:
+ * it is the file's, and its handle the one that was free.
+ */
+static int create(uint32_t kind)
+{
+	int err = node_create(client.fd, kind, 3 * NODE_PAGE, &created);
+
+	if (err == -EFAULT)
+		node_destroy(client.fd, free_handle);
+	return err;
+}
+
 static int call_create_host(void)
 {
-	return node_create(client.fd, DRM_GLOSS_GEM_HOST, 3 * NODE_PAGE, &created);
+	return create(DRM_GLOSS_GEM_HOST);
 }
 
 static int call_create_board(void)
 {
-	return node_create(client.fd, DRM_GLOSS_GEM_BOARD, 3 * NODE_PAGE, &created);
+	return create(DRM_GLOSS_GEM_BOARD);
 }
 
 static void undo_create(void)
