@@ -22,10 +22,37 @@
 #define GLOSS_IDENTITY 0x534f4c47u
 /* Entries of the slot table. */
 #define GLOSS_SLOTS 16u
-/* Pages of host memory that lists name, and of board memory. */
+/* Pages of board memory, and of host memory that lists name. */
 #define GLOSS_PAGE_BYTES 4096u
 /* Logarithm to base 2 of the most entries of a job ring. */
 #define GLOSS_RING_MAX_LOG2 8u
+#define GLOSS_USB_VENDOR 0x1209u
+#define GLOSS_USB_PRODUCT 0x1u
+/* Of interface 0, whose class is ff. */
+#define GLOSS_USB_SUBCLASS 0x47u
+#define GLOSS_USB_PROTOCOL 1u
+/* Bulk: the OUT channel. */
+#define GLOSS_USB_ENDPOINT_OUT 0x1u
+/* Bulk: the IN channel. */
+#define GLOSS_USB_ENDPOINT_IN 0x81u
+/* Interrupt: a usb_event in 8 bytes. */
+#define GLOSS_USB_ENDPOINT_EVENT 0x82u
+/* Request: wValue is the offset, 4 bytes in. */
+#define GLOSS_USB_READ_REGISTER 1u
+/* Request: wValue is the offset, 4 bytes out. */
+#define GLOSS_USB_WRITE_REGISTER 2u
+/* Words of a response chunk, the last of a job apart. */
+#define GLOSS_USB_CHUNK_WORDS 256u
+/* "SYNC" in memory. */
+#define GLOSS_USB_SYNC_MAGIC 0x434e5953u
+/* "JOB" in memory. */
+#define GLOSS_USB_JOB_MAGIC 0x424f4au
+/* "RS" in memory. */
+#define GLOSS_USB_RESPONSE_MAGIC 0x5352u
+/* "CD" in memory. */
+#define GLOSS_USB_COMPLETION_MAGIC 0x4443u
+/* "EV" in memory. */
+#define GLOSS_USB_EVENT_MAGIC 0x5645u
 
 /* Why a job stopped. */
 enum gloss_fault {
@@ -1067,6 +1094,38 @@ static inline void gloss_status_unpack(const uint32_t *words, struct gloss_statu
 	p->response_words = words[2];
 }
 
+/* ---- slot_entry ---- */
+
+#define GLOSS_SLOT_ENTRY_WORDS 4
+
+/*
+ * A range of board memory that the job's stream may name by its number. A job whose slots leave
+ * board memory is the driver's mistake: it harms no other job, and ends with MEMORY or as its
+ * stream deserves.
+ */
+struct gloss_slot_entry {
+	/* Byte address in board memory, a multiple of 4096. */
+	uint32_t base;
+	/* Bytes; base + size is at most 2^32. An empty slot has 0. */
+	uint32_t size;
+	enum gloss_rights rights;
+};
+
+static inline void gloss_slot_entry_pack(uint32_t *words, const struct gloss_slot_entry *p)
+{
+	words[0] = p->base;
+	words[1] = p->size;
+	words[2] = (uint32_t)p->rights & 0x3u;
+	words[3] = 0;
+}
+
+static inline void gloss_slot_entry_unpack(const uint32_t *words, struct gloss_slot_entry *p)
+{
+	p->base = words[0];
+	p->size = words[1];
+	p->rights = (enum gloss_rights)(words[2] & 0x3u);
+}
+
 /* ---- job_descriptor ---- */
 
 #define GLOSS_JOB_DESCRIPTOR_WORDS 16
@@ -1129,38 +1188,6 @@ static inline void gloss_job_descriptor_unpack(const uint32_t *words,
 	p->slot_table_high = words[9];
 }
 
-/* ---- slot_entry ---- */
-
-#define GLOSS_SLOT_ENTRY_WORDS 4
-
-/*
- * A range of board memory that the job's stream may name by its number. A job whose slots leave
- * board memory is the driver's mistake: it harms no other job, and ends with MEMORY or as its
- * stream deserves.
- */
-struct gloss_slot_entry {
-	/* Byte address in board memory, a multiple of 4096. */
-	uint32_t base;
-	/* Bytes; base + size is at most 2^32. An empty slot has 0. */
-	uint32_t size;
-	enum gloss_rights rights;
-};
-
-static inline void gloss_slot_entry_pack(uint32_t *words, const struct gloss_slot_entry *p)
-{
-	words[0] = p->base;
-	words[1] = p->size;
-	words[2] = (uint32_t)p->rights & 0x3u;
-	words[3] = 0;
-}
-
-static inline void gloss_slot_entry_unpack(const uint32_t *words, struct gloss_slot_entry *p)
-{
-	p->base = words[0];
-	p->size = words[1];
-	p->rights = (enum gloss_rights)(words[2] & 0x3u);
-}
-
 /* ---- completion ---- */
 
 #define GLOSS_COMPLETION_WORDS 4
@@ -1190,6 +1217,166 @@ static inline void gloss_completion_unpack(const uint32_t *words, struct gloss_c
 	p->cause = (enum gloss_fault)(words[1] & 0xfu);
 	p->offset = words[2];
 	p->response_words = words[3];
+}
+
+/* ---- usb_sync ---- */
+
+#define GLOSS_USB_SYNC_WORDS 4
+
+/* Makes OUT a sequence of jobs; comes back on IN. */
+struct gloss_usb_sync {
+	/* The constant usb_sync_magic. */
+	uint32_t mark;
+	/* What is in NONCE. */
+	uint32_t nonce;
+	/* All bits of nonce inverted. */
+	uint32_t nonce_complement;
+	/* All bits of mark inverted. */
+	uint32_t mark_complement;
+};
+
+static inline void gloss_usb_sync_pack(uint32_t *words, const struct gloss_usb_sync *p)
+{
+	words[0] = p->mark;
+	words[1] = p->nonce;
+	words[2] = p->nonce_complement;
+	words[3] = p->mark_complement;
+}
+
+static inline void gloss_usb_sync_unpack(const uint32_t *words, struct gloss_usb_sync *p)
+{
+	p->mark = words[0];
+	p->nonce = words[1];
+	p->nonce_complement = words[2];
+	p->mark_complement = words[3];
+}
+
+/* ---- usb_job ---- */
+
+#define GLOSS_USB_JOB_WORDS 4
+
+/* A job on OUT; its slots and its stream follow. */
+struct gloss_usb_job {
+	/* How many slot_entry follow, at most the constant slots. */
+	uint32_t slots;
+	/* The constant usb_job_magic. */
+	uint32_t mark;
+	/* The driver's number of the job; comes back in its usb_completion. */
+	uint32_t sequence;
+	/* Length of the stream. */
+	uint32_t stream_words;
+	/* Room for the response. */
+	uint32_t response_words;
+};
+
+static inline void gloss_usb_job_pack(uint32_t *words, const struct gloss_usb_job *p)
+{
+	words[0] = (p->slots & 0x1fu) |
+		   (p->mark & 0xffffffu) << 8;
+	words[1] = p->sequence;
+	words[2] = p->stream_words;
+	words[3] = p->response_words;
+}
+
+static inline void gloss_usb_job_unpack(const uint32_t *words, struct gloss_usb_job *p)
+{
+	p->slots = words[0] & 0x1fu;
+	p->mark = words[0] >> 8;
+	p->sequence = words[1];
+	p->stream_words = words[2];
+	p->response_words = words[3];
+}
+
+/* ---- usb_response ---- */
+
+#define GLOSS_USB_RESPONSE_WORDS 1
+
+/* A chunk of a job's response on IN; its words follow. */
+struct gloss_usb_response {
+	/* Words, 1 to usb_chunk_words. */
+	uint32_t count;
+	/* The constant usb_response_magic. */
+	uint32_t mark;
+};
+
+static inline void gloss_usb_response_pack(uint32_t *words, const struct gloss_usb_response *p)
+{
+	words[0] = (p->count & 0xffffu) |
+		   (p->mark & 0xffffu) << 16;
+}
+
+static inline void gloss_usb_response_unpack(const uint32_t *words, struct gloss_usb_response *p)
+{
+	p->count = words[0] & 0xffffu;
+	p->mark = words[0] >> 16;
+}
+
+/* ---- usb_completion ---- */
+
+#define GLOSS_USB_COMPLETION_WORDS 4
+
+/* How a job ended, on IN. */
+struct gloss_usb_completion {
+	enum gloss_fault cause;
+	/* The constant usb_completion_magic. */
+	uint32_t mark;
+	/* That of its usb_job. */
+	uint32_t sequence;
+	/* Word offset of the fault; the stream's length without one. */
+	uint32_t offset;
+	/* Words of the response that were answered. */
+	uint32_t response_words;
+};
+
+static inline void gloss_usb_completion_pack(uint32_t *words, const struct gloss_usb_completion *p)
+{
+	words[0] = ((uint32_t)p->cause & 0xfu) |
+		   (p->mark & 0xffffu) << 16;
+	words[1] = p->sequence;
+	words[2] = p->offset;
+	words[3] = p->response_words;
+}
+
+static inline void gloss_usb_completion_unpack(const uint32_t *words,
+					       struct gloss_usb_completion *p)
+{
+	p->cause = (enum gloss_fault)(words[0] & 0xfu);
+	p->mark = words[0] >> 16;
+	p->sequence = words[1];
+	p->offset = words[2];
+	p->response_words = words[3];
+}
+
+/* ---- usb_event ---- */
+
+#define GLOSS_USB_EVENT_WORDS 2
+
+/* What a driver may want to know before it comes to it on IN. */
+struct gloss_usb_event {
+	/* Of the job that has ended with a fault. */
+	enum gloss_fault cause;
+	/* The channel is lost; cause and sequence are 0. */
+	bool lost;
+	/* The constant usb_event_magic. */
+	uint32_t mark;
+	/* That of the job. */
+	uint32_t sequence;
+};
+
+static inline void gloss_usb_event_pack(uint32_t *words, const struct gloss_usb_event *p)
+{
+	words[0] = ((uint32_t)p->cause & 0xfu) |
+		   (uint32_t)p->lost << 4 |
+		   (p->mark & 0xffffu) << 16;
+	words[1] = p->sequence;
+}
+
+static inline void gloss_usb_event_unpack(const uint32_t *words, struct gloss_usb_event *p)
+{
+	p->cause = (enum gloss_fault)(words[0] & 0xfu);
+	p->lost = words[0] >> 4 & 0x1u;
+	p->mark = words[0] >> 16;
+	p->sequence = words[1];
 }
 
 /* ---- any packet ---- */

@@ -17,10 +17,37 @@
   localparam int unsigned Identity = 32'h534f4c47;
   // Entries of the slot table.
   localparam int unsigned Slots = 16;
-  // Pages of host memory that lists name, and of board memory.
+  // Pages of board memory, and of host memory that lists name.
   localparam int unsigned PageBytes = 4096;
   // Logarithm to base 2 of the most entries of a job ring.
   localparam int unsigned RingMaxLog2 = 8;
+  localparam int unsigned UsbVendor = 32'h1209;
+  localparam int unsigned UsbProduct = 32'h1;
+  // Of interface 0, whose class is ff.
+  localparam int unsigned UsbSubclass = 32'h47;
+  localparam int unsigned UsbProtocol = 1;
+  // Bulk: the OUT channel.
+  localparam int unsigned UsbEndpointOut = 32'h1;
+  // Bulk: the IN channel.
+  localparam int unsigned UsbEndpointIn = 32'h81;
+  // Interrupt: a usb_event in 8 bytes.
+  localparam int unsigned UsbEndpointEvent = 32'h82;
+  // Request: wValue is the offset, 4 bytes in.
+  localparam int unsigned UsbReadRegister = 1;
+  // Request: wValue is the offset, 4 bytes out.
+  localparam int unsigned UsbWriteRegister = 2;
+  // Words of a response chunk, the last of a job apart.
+  localparam int unsigned UsbChunkWords = 256;
+  // "SYNC" in memory.
+  localparam int unsigned UsbSyncMagic = 32'h434e5953;
+  // "JOB" in memory.
+  localparam int unsigned UsbJobMagic = 32'h424f4a;
+  // "RS" in memory.
+  localparam int unsigned UsbResponseMagic = 32'h5352;
+  // "CD" in memory.
+  localparam int unsigned UsbCompletionMagic = 32'h4443;
+  // "EV" in memory.
+  localparam int unsigned UsbEventMagic = 32'h5645;
 
   // Why a job stopped.
   localparam logic [3:0] FAULT_NONE = 4'd0;
@@ -103,20 +130,9 @@
   localparam logic [15:0] REG_MEMORY_PAGES = 16'h000c;
   localparam logic [15:0] REG_CONTROL = 16'h0010;
   localparam logic [15:0] REG_STATUS = 16'h0014;
-  localparam logic [15:0] REG_INTERRUPT_STATUS = 16'h0018;
-  localparam logic [15:0] REG_INTERRUPT_MASK = 16'h001c;
-  localparam logic [15:0] REG_RING_LOW = 16'h0020;
-  localparam logic [15:0] REG_RING_HIGH = 16'h0024;
-  localparam logic [15:0] REG_RING_LOG2 = 16'h0028;
-  localparam logic [15:0] REG_HEAD = 16'h002c;
-  localparam logic [15:0] REG_TAIL = 16'h0030;
-  localparam logic [15:0] REG_COMPLETION_LOW = 16'h0034;
-  localparam logic [15:0] REG_COMPLETION_HIGH = 16'h0038;
   localparam logic [15:0] REG_FAULT_CAUSE = 16'h0040;
   localparam logic [15:0] REG_FAULT_OFFSET = 16'h0044;
   localparam logic [15:0] REG_FAULT_SEQUENCE = 16'h0048;
-  localparam logic [15:0] REG_DMA_ERROR_LOW = 16'h004c;
-  localparam logic [15:0] REG_DMA_ERROR_HIGH = 16'h0050;
   localparam logic [15:0] REG_PROGRESS = 16'h0054;
   localparam logic [15:0] REG_JOBS = 16'h0060;
   localparam logic [15:0] REG_CLOCKS_LOW = 16'h0064;
@@ -126,6 +142,18 @@
   localparam logic [15:0] REG_STALL_TILE = 16'h0074;
   localparam logic [15:0] REG_STALL_MEMORY = 16'h0078;
   localparam logic [15:0] REG_STALL_RESPONSE = 16'h007c;
+  localparam logic [15:0] REG_INTERRUPT_STATUS = 16'h0018;
+  localparam logic [15:0] REG_INTERRUPT_MASK = 16'h001c;
+  localparam logic [15:0] REG_RING_LOW = 16'h0020;
+  localparam logic [15:0] REG_RING_HIGH = 16'h0024;
+  localparam logic [15:0] REG_RING_LOG2 = 16'h0028;
+  localparam logic [15:0] REG_HEAD = 16'h002c;
+  localparam logic [15:0] REG_TAIL = 16'h0030;
+  localparam logic [15:0] REG_COMPLETION_LOW = 16'h0034;
+  localparam logic [15:0] REG_COMPLETION_HIGH = 16'h0038;
+  localparam logic [15:0] REG_DMA_ERROR_LOW = 16'h004c;
+  localparam logic [15:0] REG_DMA_ERROR_HIGH = 16'h0050;
+  localparam logic [15:0] REG_NONCE = 16'h0080;
 
   // Packed structs: the lowest word of a group or payload is bits 31:0.
   // A _RESERVED mask has the bits that must be zero.
@@ -422,6 +450,15 @@
   localparam logic [95:0] STATUS_RESERVED = 96'h0000000000000000fffffff0;
 
   typedef struct packed {
+    logic [31:0] reserved_0;  // word 3
+    logic [29:0] reserved_1;  // word 2
+    logic [1:0] rights;
+    logic [31:0] size;  // word 1
+    logic [31:0] base;  // word 0
+  } slot_entry_t;
+  localparam logic [127:0] SLOT_ENTRY_RESERVED = 128'hfffffffffffffffc0000000000000000;
+
+  typedef struct packed {
     logic [31:0] reserved_0;  // word 15
     logic [31:0] reserved_1;  // word 14
     logic [31:0] reserved_2;  // word 13
@@ -442,15 +479,6 @@
   localparam logic [511:0] JOB_DESCRIPTOR_RESERVED = 512'hffffffffffffffffffffffffffffffffffffffffffffffff00000000000000000000000000000000ffffffff0000000000000000000000000000000000000000;
 
   typedef struct packed {
-    logic [31:0] reserved_0;  // word 3
-    logic [29:0] reserved_1;  // word 2
-    logic [1:0] rights;
-    logic [31:0] size;  // word 1
-    logic [31:0] base;  // word 0
-  } slot_entry_t;
-  localparam logic [127:0] SLOT_ENTRY_RESERVED = 128'hfffffffffffffffc0000000000000000;
-
-  typedef struct packed {
     logic [31:0] response_words;  // word 3
     logic [31:0] offset;  // word 2
     logic [27:0] reserved_0;  // word 1
@@ -458,6 +486,49 @@
     logic [31:0] sequence_;  // word 0
   } completion_t;
   localparam logic [127:0] COMPLETION_RESERVED = 128'h0000000000000000fffffff000000000;
+
+  typedef struct packed {
+    logic [31:0] mark_complement;  // word 3
+    logic [31:0] nonce_complement;  // word 2
+    logic [31:0] nonce;  // word 1
+    logic [31:0] mark;  // word 0
+  } usb_sync_t;
+  localparam logic [127:0] USB_SYNC_RESERVED = 128'h00000000000000000000000000000000;
+
+  typedef struct packed {
+    logic [31:0] response_words;  // word 3
+    logic [31:0] stream_words;  // word 2
+    logic [31:0] sequence_;  // word 1
+    logic [23:0] mark;  // word 0
+    logic [2:0] reserved_0;
+    logic [4:0] slots;
+  } usb_job_t;
+  localparam logic [127:0] USB_JOB_RESERVED = 128'h000000000000000000000000000000e0;
+
+  typedef struct packed {
+    logic [15:0] mark;
+    logic [15:0] count;
+  } usb_response_t;
+  localparam logic [31:0] USB_RESPONSE_RESERVED = 32'h00000000;
+
+  typedef struct packed {
+    logic [31:0] response_words;  // word 3
+    logic [31:0] offset;  // word 2
+    logic [31:0] sequence_;  // word 1
+    logic [15:0] mark;  // word 0
+    logic [11:0] reserved_0;
+    logic [3:0] cause;
+  } usb_completion_t;
+  localparam logic [127:0] USB_COMPLETION_RESERVED = 128'h0000000000000000000000000000fff0;
+
+  typedef struct packed {
+    logic [31:0] sequence_;  // word 1
+    logic [15:0] mark;  // word 0
+    logic [10:0] reserved_0;
+    logic lost;
+    logic [3:0] cause;
+  } usb_event_t;
+  localparam logic [63:0] USB_EVENT_RESERVED = 64'h000000000000ffe0;
 
   typedef struct packed {
     logic [7:0] reserved_0;
@@ -475,12 +546,19 @@
   localparam logic [31:0] REG_CONTROL_RESERVED = 32'hfffffffc;
 
   typedef struct packed {
-    logic [28:0] reserved_0;
+    logic [27:0] reserved_0;
+    logic lost;
     logic dma_error;
     logic idle;
     logic running;
   } reg_status_t;
-  localparam logic [31:0] REG_STATUS_RESERVED = 32'hfffffff8;
+  localparam logic [31:0] REG_STATUS_RESERVED = 32'hfffffff0;
+
+  typedef struct packed {
+    logic [27:0] reserved_0;
+    logic [3:0] cause;
+  } reg_fault_cause_t;
+  localparam logic [31:0] REG_FAULT_CAUSE_RESERVED = 32'hfffffff0;
 
   typedef struct packed {
     logic [28:0] reserved_0;
@@ -515,10 +593,4 @@
     logic [15:0] jobs;
   } reg_tail_t;
   localparam logic [31:0] REG_TAIL_RESERVED = 32'hffff0000;
-
-  typedef struct packed {
-    logic [27:0] reserved_0;
-    logic [3:0] cause;
-  } reg_fault_cause_t;
-  localparam logic [31:0] REG_FAULT_CAUSE_RESERVED = 32'hfffffff0;
 

@@ -35,6 +35,14 @@ enum hw_kind { HW_GROUP, HW_PACKET, HW_STRUCT, HW_REGISTER };
 enum hw_access { HW_RO, HW_RW, HW_RW1C };
 
 /* Lists are in the order of the XML; doc is NULL where there is none. */
+
+/* A bus that the port can be on: what is inside <bus> only ports on that one have. */
+struct hw_bus {
+	struct hw_bus *next;
+	const char *name, *doc;
+	unsigned long line;
+};
+
 struct hw_constant {
 	struct hw_constant *next;
 	const char *name, *doc;
@@ -42,6 +50,7 @@ struct hw_constant {
 	uint32_t value;
 	bool hex;				/* as it is written in the XML */
 	bool port;
+	const struct hw_bus *bus;		/* inside <port>: of this bus only, or NULL */
 };
 
 struct hw_value {
@@ -92,6 +101,7 @@ struct hw_record {
 	unsigned long line;
 	bool has_words, variable;
 	bool port;				/* inside <port> */
+	const struct hw_bus *bus;		/* there, of this bus only, or NULL */
 	unsigned int words;			/* without a packet's header */
 	unsigned int opcode;
 	unsigned int offset;			/* of a register, in bytes */
@@ -108,6 +118,7 @@ struct hw_interface {
 	uint32_t version;
 	bool has_port;
 	const char *port_doc;
+	struct hw_bus *buses;
 	struct hw_constant *constants;
 	struct hw_enum *enums;
 	struct hw_record *records;

@@ -276,6 +276,16 @@ static void check_packet(const struct hw_interface *hw, const struct hw_record *
 			packet->name, words, HW_LENGTH_MAX);
 }
 
+static void check_bus(const struct hw_interface *hw, const struct hw_bus *bus)
+{
+	for (const struct hw_bus *other = hw->buses; other != bus; other = other->next) {
+		if (hw_same(other->name, bus->name))
+			hw_fail(hw->path, bus->line, "bus '%s' is already in line %lu", bus->name,
+				other->line);
+	}
+}
+
+/* An offset is one register's, whatever bus that is for: a driver of two has one map. */
 static void check_register(const struct hw_interface *hw, const struct hw_record *record)
 {
 	for (const struct hw_record *other = hw->records; other != record; other = other->next) {
@@ -310,6 +320,8 @@ void hw_check(struct hw_interface *hw)
 				"constant 'version' is %u, the interface's is %u", c->value,
 				hw->version);
 	}
+	for (const struct hw_bus *bus = hw->buses; bus; bus = bus->next)
+		check_bus(hw, bus);
 	for (const struct hw_enum *e = hw->enums; e; e = e->next)
 		check_enum(hw->path, e);
 	for (struct hw_record *record = hw->records; record; record = record->next)

@@ -196,10 +196,24 @@ static void write_register(FILE *out, const struct hw_record *r)
 	write_fields(out, r);
 }
 
-static void write_records(FILE *out, const struct hw_interface *hw, enum hw_kind kind, bool port)
+/* Those of the stream's side. */
+static void write_records(FILE *out, const struct hw_interface *hw, enum hw_kind kind)
 {
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		if (r->kind == kind && r->port == port)
+		if (r->kind == kind && !r->port)
+			write_record(out, r);
+	}
+}
+
+/* What every port has (@bus is NULL), or what only one on this bus has. */
+static void write_bus(FILE *out, const struct hw_interface *hw, const struct hw_bus *bus)
+{
+	for (const struct hw_record *r = hw->records; r; r = r->next) {
+		if (r->kind == HW_REGISTER && r->bus == bus && r->fields)
+			write_register(out, r);
+	}
+	for (const struct hw_record *r = hw->records; r; r = r->next) {
+		if (r->kind == HW_STRUCT && r->port && r->bus == bus)
 			write_record(out, r);
 	}
 }
@@ -213,7 +227,7 @@ static void write_port(FILE *out, const struct hw_interface *hw)
 	fputs("## Port\n\n", out);
 	write_text(out, hw->port_doc);
 	fputs("### Registers by offset\n\n"
-	      "| offset | register | access | |\n|---|---|---|---|\n", out);
+	      "| offset | register | access | bus | |\n|---|---|---|---|---|\n", out);
 	for (unsigned int offset = 0; offset <= UINT16_MAX; offset += 4) {
 		for (const struct hw_record *r = hw->records; r; r = r->next) {
 			if (r->kind != HW_REGISTER || r->offset != offset)
@@ -221,19 +235,19 @@ static void write_port(FILE *out, const struct hw_interface *hw)
 			hw_upper(upper, r->name);
 			fprintf(out, "| 0x%03x | ", offset);
 			fprintf(out, r->fields ? "[%s](#register-%s)" : "%s", upper, r->name);
-			fprintf(out, " | %s", hw_access_name(r->access));
+			fprintf(out, " | %s | %s", hw_access_name(r->access),
+				r->bus ? r->bus->name : "all");
 			write_cell(out, r->doc);
 			fputs(" |\n", out);
 		}
 	}
 	fputs("\nrw1c: reads the bits, writing a 1 clears a bit.\n\n", out);
-	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		if (r->kind == HW_REGISTER && r->fields)
-			write_register(out, r);
+	write_bus(out, hw, NULL);
+	for (const struct hw_bus *bus = hw->buses; bus; bus = bus->next) {
+		fprintf(out, "## Port on bus %s\n\n", bus->name);
+		write_text(out, bus->doc);
+		write_bus(out, hw, bus);
 	}
-	fputs("## Structs in host memory\n\n"
-	      "What the port reads and writes there; word 0 is the first.\n\n", out);
-	write_records(out, hw, HW_STRUCT, true);
 }
 
 static void write_enums(FILE *out, const struct hw_interface *hw)
@@ -281,13 +295,13 @@ void hw_write_manual(FILE *out, const struct hw_interface *hw)
 	      "| 10:0 | length: payload words |\n\n", out);
 	write_index(out, hw);
 	fputs("## Packets\n\nWord 0 is the header, the payload begins at word 1.\n\n", out);
-	write_records(out, hw, HW_PACKET, false);
+	write_records(out, hw, HW_PACKET);
 	fputs("## Groups\n\nParts of payloads; word 0 is the part's first.\n\n", out);
-	write_records(out, hw, HW_GROUP, false);
+	write_records(out, hw, HW_GROUP);
 	fputs("## Enums\n\n", out);
 	write_enums(out, hw);
 	fputs("## Structs\n\nOutside the stream; word 0 is the first.\n\n", out);
-	write_records(out, hw, HW_STRUCT, false);
+	write_records(out, hw, HW_STRUCT);
 	write_port(out, hw);
 	fputs("## Constants\n\n", out);
 	write_constants(out, hw);

@@ -65,6 +65,8 @@ static void check_spelling(const char *path, unsigned long line, const char *nam
 static void spell_all(const struct hw_interface *hw)
 {
 	check_spelling(hw->path, hw->line, hw->name);
+	for (const struct hw_bus *bus = hw->buses; bus; bus = bus->next)
+		check_spelling(hw->path, bus->line, bus->name);
 	for (const struct hw_constant *c = hw->constants; c; c = c->next)
 		check_spelling(hw->path, c->line, c->name);
 	for (const struct hw_enum *e = hw->enums; e; e = e->next) {

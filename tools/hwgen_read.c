@@ -16,6 +16,7 @@ struct reader {
 	struct hw_interface *hw;
 	struct hw_enum *enumeration;		/* the last one begun */
 	struct hw_record *record;
+	struct hw_bus *bus;
 	const char *attribute[ATTRIBUTES_MAX];	/* of the element being begun, by its table */
 
 	unsigned int depth;
@@ -112,9 +113,27 @@ static const char **begin_port(struct reader *reader, const struct element *elem
 	return &hw->port_doc;
 }
 
-static bool in_port(const struct reader *reader)
+static const char **begin_bus(struct reader *reader, const struct element *element)
 {
-	return hw_same(reader->open[reader->depth - 1].element->name, "port");
+	struct hw_bus *bus = hw_alloc(sizeof(*bus));
+
+	(void)element;
+	bus->line = line_of(reader);
+	bus->name = copy(reader->attribute[0]);
+	APPEND(reader->hw->buses, bus);
+	reader->bus = bus;
+	return &bus->doc;
+}
+
+/* Is the element being begun directly in an element @name? */
+static bool is_in(const struct reader *reader, const char *name)
+{
+	return hw_same(reader->open[reader->depth - 1].element->name, name);
+}
+
+static const struct hw_bus *bus_of(const struct reader *reader)
+{
+	return is_in(reader, "bus") ? reader->bus : NULL;
 }
 
 static const char **begin_constant(struct reader *reader, const struct element *element)
@@ -127,7 +146,8 @@ static const char **begin_constant(struct reader *reader, const struct element *
 	constant->value = (uint32_t)read_number(reader, "value", reader->attribute[1], 0,
 						UINT32_MAX);
 	constant->hex = reader->attribute[1][1] == 'x' || reader->attribute[1][1] == 'X';
-	constant->port = in_port(reader);
+	constant->bus = bus_of(reader);
+	constant->port = constant->bus || is_in(reader, "port");
 	APPEND(reader->hw->constants, constant);
 	return &constant->doc;
 }
@@ -164,7 +184,8 @@ static struct hw_record *add_record(struct reader *reader, enum hw_kind kind, co
 	record->kind = kind;
 	record->line = line_of(reader);
 	record->name = copy(reader->attribute[0]);
-	record->port = in_port(reader);
+	record->bus = bus_of(reader);
+	record->port = record->bus || is_in(reader, "port");
 	record->has_words = words;
 	if (words)
 		record->words = (unsigned int)read_number(reader, "words", words,
@@ -277,18 +298,19 @@ static const char **begin_doc(struct reader *reader, const struct element *eleme
 static const struct element elements[] = {
 	{ "interface", "", { "name", "version" }, begin_interface },
 	{ "port", " interface ", { NULL }, begin_port },
-	{ "register", " port ", { "name", "offset", "access" }, begin_register },
-	{ "constant", " interface port ", { "name", "value" }, begin_constant },
+	{ "bus", " port ", { "name" }, begin_bus },
+	{ "register", " port bus ", { "name", "offset", "access" }, begin_register },
+	{ "constant", " interface port bus ", { "name", "value" }, begin_constant },
 	{ "enum", " interface ", { "name", "bits" }, begin_enum },
 	{ "value", " enum ", { "name", "value" }, begin_value },
 	{ "group", " interface ", { "name", "words" }, begin_words },
 	{ "packet", " interface ", { "name", "opcode", "?words", "?variable", "?least" },
 	  begin_packet },
-	{ "struct", " interface port ", { "name", "words" }, begin_words },
+	{ "struct", " interface port bus ", { "name", "words" }, begin_words },
 	{ "field", " group packet struct register ",
 	  { "name", "word", "bits", "?type", "?min", "?max", "?format", "?above" }, begin_field },
 	{ "part", " packet ", { "group", "?if", "?is" }, begin_part },
-	{ "doc", " interface port constant enum value group packet struct register field ",
+	{ "doc", " interface port bus constant enum value group packet struct register field ",
 	  { NULL }, begin_doc },
 };
 

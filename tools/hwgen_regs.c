@@ -12,13 +12,16 @@ struct writer {
 	char upper_name[HW_NAME_MAX];	/* of the interface */
 };
 
-static void write_constants(const struct writer *w)
+static void write_constants(const struct writer *w, const struct hw_bus *bus)
 {
+	const char *before = "\n";
 	char upper[HW_NAME_MAX];
 
 	for (const struct hw_constant *c = w->hw->constants; c; c = c->next) {
-		if (!c->port)
+		if (!c->port || c->bus != bus)
 			continue;
+		fputs(before, w->out);
+		before = "";
 		if (c->doc)
 			hw_comment(w->out, "", c->doc);
 		fprintf(w->out, "#define %s_%s ", w->upper_name, hw_upper(upper, c->name));
@@ -66,6 +69,36 @@ static void write_struct(const struct writer *w, const struct hw_record *r)
 	}
 }
 
+static bool has_port_record(const struct hw_interface *hw, enum hw_kind kind,
+			    const struct hw_bus *bus)
+{
+	for (const struct hw_record *r = hw->records; r; r = r->next) {
+		if (r->port && r->kind == kind && r->bus == bus)
+			return true;
+	}
+	return false;
+}
+
+/* What every port has (@bus is NULL), or what only one on this bus has. */
+static void write_bus(const struct writer *w, const struct hw_bus *bus)
+{
+	if (bus)
+		fprintf(w->out, "\n/* ---- bus %s ---- */\n", bus->name);
+	write_constants(w, bus);
+	if (has_port_record(w->hw, HW_REGISTER, bus))
+		fputs("\n/* Registers: byte offsets, masks of fields. */\n\n", w->out);
+	for (const struct hw_record *r = w->hw->records; r; r = r->next) {
+		if (r->kind == HW_REGISTER && r->bus == bus)
+			write_register(w, r);
+	}
+	if (has_port_record(w->hw, HW_STRUCT, bus))
+		fputs("\n/* Structs: indices of words, masks of narrow fields. */\n", w->out);
+	for (const struct hw_record *r = w->hw->records; r; r = r->next) {
+		if (r->kind == HW_STRUCT && r->port && r->bus == bus)
+			write_struct(w, r);
+	}
+}
+
 static bool is_in_register(const struct hw_interface *hw, const struct hw_enum *e)
 {
 	for (const struct hw_record *r = hw->records; r; r = r->next) {
@@ -95,19 +128,11 @@ void hw_write_regs(FILE *out, const struct hw_interface *hw)
 	fprintf(out,
 		"/* SPDX-License-Identifier: MIT */\n"
 		"/* Generated from rtl/%s.xml by tools/hwgen; do not edit. */\n"
-		"#ifndef %s_REGS_H\n#define %s_REGS_H\n\n",
+		"#ifndef %s_REGS_H\n#define %s_REGS_H\n",
 		hw->name, w.upper_name, w.upper_name);
-	write_constants(&w);
-	fputs("\n/* Registers: byte offsets, masks of fields. */\n\n", out);
-	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		if (r->kind == HW_REGISTER)
-			write_register(&w, r);
-	}
-	fputs("\n/* Structs in host memory: indices of words, masks of narrow fields. */\n", out);
-	for (const struct hw_record *r = hw->records; r; r = r->next) {
-		if (r->kind == HW_STRUCT && r->port)
-			write_struct(&w, r);
-	}
+	write_bus(&w, NULL);
+	for (const struct hw_bus *bus = hw->buses; bus; bus = bus->next)
+		write_bus(&w, bus);
 	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
 		if (is_in_register(hw, e))
 			write_names(&w, e);

@@ -11,6 +11,7 @@
 #define SMALL_ROW_BYTES 0x100u
 /* In both headers. */
 #define SMALL_MAGIC 0xcafeu
+#define SMALL_WIRE_PINS 4u
 
 /* All values have names. */
 enum small_colour {
@@ -275,6 +276,43 @@ static inline void small_entry_unpack(const uint32_t *words, struct small_entry 
 {
 	p->low = words[0];
 	p->high = words[1] & 0xffu;
+}
+
+/* ---- message ---- */
+
+#define SMALL_MESSAGE_WORDS 1
+
+struct small_message {
+	uint32_t size;
+};
+
+static inline void small_message_pack(uint32_t *words, const struct small_message *p)
+{
+	words[0] = p->size & 0xffu;
+}
+
+static inline void small_message_unpack(const uint32_t *words, struct small_message *p)
+{
+	p->size = words[0] & 0xffu;
+}
+
+/* ---- wave ---- */
+
+#define SMALL_WAVE_WORDS 1
+
+struct small_wave {
+	/* As wide as a word. */
+	uint32_t length;
+};
+
+static inline void small_wave_pack(uint32_t *words, const struct small_wave *p)
+{
+	words[0] = p->length;
+}
+
+static inline void small_wave_unpack(const uint32_t *words, struct small_wave *p)
+{
+	p->length = words[0];
 }
 
 /* ---- any packet ---- */

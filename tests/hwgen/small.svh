@@ -6,6 +6,7 @@
   localparam int unsigned RowBytes = 32'h100;
   // In both headers.
   localparam int unsigned Magic = 32'hcafe;
+  localparam int unsigned WirePins = 4;
 
   // All values have names.
   localparam logic [1:0] COLOUR_RED = 2'd0;
@@ -36,6 +37,7 @@
   localparam logic [15:0] REG_STATE = 16'h0004;
   localparam logic [15:0] REG_COUNT = 16'h0000;
   localparam logic [15:0] REG_TOP = 16'hfffc;
+  localparam logic [15:0] REG_WIRE_SPEED = 16'h0010;
 
   // Packed structs: the lowest word of a group or payload is bits 31:0.
   // A _RESERVED mask has the bits that must be zero.
@@ -111,9 +113,26 @@
   localparam logic [63:0] ENTRY_RESERVED = 64'hffffff0000000000;
 
   typedef struct packed {
+    logic [23:0] reserved_0;
+    logic [7:0] size;
+  } message_t;
+  localparam logic [31:0] MESSAGE_RESERVED = 32'hffffff00;
+
+  typedef struct packed {
+    logic [31:0] length;
+  } wave_t;
+  localparam logic [31:0] WAVE_RESERVED = 32'h00000000;
+
+  typedef struct packed {
     logic [3:0] power;
     logic [25:0] reserved_0;
     logic [1:0] colour;
   } reg_state_t;
   localparam logic [31:0] REG_STATE_RESERVED = 32'h0ffffffc;
+
+  typedef struct packed {
+    logic [30:0] reserved_0;
+    logic fast;
+  } reg_wire_speed_t;
+  localparam logic [31:0] REG_WIRE_SPEED_RESERVED = 32'hfffffffe;
 

@@ -16,7 +16,7 @@
 #define SMALL_REG_COUNT 0x000
 #define SMALL_REG_TOP 0xfffc
 
-/* Structs in host memory: indices of words, masks of narrow fields. */
+/* Structs: indices of words, masks of narrow fields. */
 
 /* In host memory. */
 #define SMALL_ENTRY_WORDS 2
@@ -24,6 +24,32 @@
 /* Narrow. */
 #define SMALL_ENTRY_HIGH_WORD 1
 #define SMALL_ENTRY_HIGH 0x000000ffu
+
+/* ---- bus wire ---- */
+
+#define SMALL_WIRE_PINS 4u
+
+/* Registers: byte offsets, masks of fields. */
+
+/* Only on this bus. */
+#define SMALL_REG_WIRE_SPEED 0x010
+#define SMALL_REG_WIRE_SPEED_FAST 0x00000001u
+
+/* Structs: indices of words, masks of narrow fields. */
+
+#define SMALL_MESSAGE_WORDS 1
+#define SMALL_MESSAGE_SIZE_WORD 0
+#define SMALL_MESSAGE_SIZE 0x000000ffu
+
+/* ---- bus bare ---- */
+
+/* ---- bus air ---- */
+
+/* Structs: indices of words, masks of narrow fields. */
+
+#define SMALL_WAVE_WORDS 1
+/* As wide as a word. */
+#define SMALL_WAVE_LENGTH_WORD 0
 
 static inline const char *small_colour_name(unsigned int colour)
 {
