@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 /* The device and what is drawn on it. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "device.h"
 #include "gloss-view.h"
-
-/* The library's last words, for view_error. */
-static char library_message[512];
-
-static void keep_message(void *data, const char *message)
-{
-	(void)data;
-	snprintf(library_message, sizeof(library_message), "%s", message);
-}
 
 static int failed(const char *what, const char *where, int error)
 {
-	view_error(what, where, library_message[0] ? library_message : strerror(-error));
+	view_error(what, where, device_reason(error));
 	return VIEW_FAILED;
 }
 
@@ -65,33 +56,14 @@ static void open_scene(struct view *view)
 	view_camera_set(view, 0);
 }
 
-/* The library's reason follows 'device "drm:": ', which @name says already, as it does the colon. */
-static int no_device(const char *name, int error)
-{
-	const char *reason = strstr(library_message, "\": ");
-	size_t length = strlen(name);
-	char where[256];
-
-	if (length && name[length - 1] == ':')
-		length--;
-	snprintf(where, sizeof(where), "%.*s", (int)length, name);
-	if (error == -EINVAL)
-		view_error("no such device", where,
-			   reason ? reason + 3 : "give drm:, model:, sim: or auto");
-	else
-		view_error("can not open device", where, reason ? reason + 3 : strerror(-error));
-	return VIEW_FAILED;
-}
-
 static int open_device(struct view *view)
 {
 	const struct view_options *options = view->options;
 	const char *name = options->device;
 	int ret;
 
-	ret = accel_device_new(name, keep_message, NULL, &view->device);
-	if (ret)
-		return no_device(name, ret);
+	if (device_open("gloss-view", name, &view->device))
+		return VIEW_FAILED;
 	ret = accel_target_new(view->device, options->width, options->height, &view->target);
 	if (ret)
 		return failed("no memory for the picture on device", name, ret);
@@ -133,7 +105,7 @@ int view_draw(struct view *view, enum accel_shading shading, struct picture *pic
 	uint64_t before = clocks(view);
 	int ret;
 
-	library_message[0] = '\0';
+	device_reason_forget();
 	ret = scene_draw(&view->scene, shading, view->draw, view->target, &view->stats);
 	view->clocks = clocks(view) - before;
 	if (!ret)

@@ -189,8 +189,8 @@ static const struct view_option {
 	const char *hint;		/* what a value has to be */
 	bool (*set)(struct view_options *options, const char *value);
 } list[] = {
-	{ "device", "NAME", "board to draw on: drm:, drm:/dev/dri/renderD128, model:, sim:, or auto" NEXT
-	  "(the default), the first of them that opens", "", set_device },
+	{ "device", "NAME", "board to draw on: drm:, usb:, model:, sim:, or auto (the default), the first of" NEXT
+	  "them that opens; gloss-info --list names the boards there are", "", set_device },
 	{ "size", "WxH", "pixels of the picture, 640x480 if not given",
 	  "give WIDTHxHEIGHT, each 1 to 2048", set_size },
 	{ "shading", "NAME", "gouraud, adaptive (the default), quadratic, flat",

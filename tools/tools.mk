@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
-# hwgen and what it makes, gloss-decode, and their tests.
+# hwgen and what it makes, gloss-decode, and their tests; gloss-info is in info.mk.
 
 HWGEN := $(BUILD)/hwgen
 HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen*.c)))
 # Files that appear whole or not at all; gloss-view writes its pictures with it too.
 OUTPUT_OBJECT := $(BUILD)/tools/output.o
+# Boards that open, or a line that says why not.
+DEVICE_OBJECT := $(BUILD)/tools/device.o
 DECODE_OBJECTS := $(BUILD)/tools/decode.o $(BUILD)/tools/decode_print.o
 
-$(HWGEN_OBJECTS) $(OUTPUT_OBJECT) $(DECODE_OBJECTS) $(BUILD)/tools/gloss-decode.o: $(BUILD)/%.o: %.c
+$(HWGEN_OBJECTS) $(OUTPUT_OBJECT) $(DEVICE_OBJECT) $(DECODE_OBJECTS) \
+		$(BUILD)/tools/gloss-decode.o: $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
@@ -20,7 +23,8 @@ $(BUILD)/gloss-decode: $(BUILD)/tools/gloss-decode.o $(DECODE_OBJECTS)
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^
 
--include $(HWGEN_OBJECTS:.o=.d) $(OUTPUT_OBJECT:.o=.d) $(DECODE_OBJECTS:.o=.d) $(BUILD)/tools/gloss-decode.d
+-include $(HWGEN_OBJECTS:.o=.d) $(OUTPUT_OBJECT:.o=.d) $(DEVICE_OBJECT:.o=.d) \
+	$(DECODE_OBJECTS:.o=.d) $(BUILD)/tools/gloss-decode.d
 
 ALL += $(BUILD)/gloss-decode
 

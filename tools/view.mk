@@ -7,7 +7,7 @@ VIEW_SOURCES := $(addprefix tools/gloss-view, -camera.c -compare.c -draw.c -ligh
 	-number.c -options.c -progress.c -stats.c -turntable.c -window.c)
 
 SCENE_PARTS := $(SCENE_SOURCES:%.c=$(BUILD)/%.o)
-SCENE_OBJS := $(SCENE_PARTS) $(OUTPUT_OBJECT)
+SCENE_OBJS := $(SCENE_PARTS) $(OUTPUT_OBJECT) $(DEVICE_OBJECT)
 VIEW_OBJS := $(VIEW_SOURCES:%.c=$(BUILD)/%.o)
 VIEW_MAIN := $(BUILD)/tools/gloss-view.o
 
