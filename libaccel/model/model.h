@@ -151,8 +151,8 @@ int model_run(struct model *model, const struct gloss_job *job, struct gloss_sta
 
 /*
  * The same in steps, for whom the stream and the response do not lie in memory as a whole: begin,
- * step until it is false, end. A step executes a packet. Before it job->stream holds the next
- * MODEL_PACKET_WORDS words of the stream from @model->at on, or all that are left, and
+ * step until it is false, end. A step executes a packet. Before it job->stream holds the words of
+ * the stream from @model->at on, as many as the packet's header says or all that are left, and
  * job->response has room for MODEL_ANSWER_WORDS from @model->response_used on, or all there is;
  * stream_from and response_from, which begin sets to zero, say which words come first in them.
  * A job that is begun may also be forgotten.

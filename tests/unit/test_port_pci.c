@@ -68,11 +68,12 @@ static struct gloss_board *fake_create(const struct gloss_board_host *host, void
 {
 	struct gloss_board *board = calloc(1, sizeof(*board));
 	struct port_engine engine = { &board->engine, fake_begin, fake_step, fake_end };
+	struct port_build build = { 64, 4, (uint32_t)(size / GLOSS_PAGE_BYTES) };
 
 	(void)memory;
 	assert_non_null(board);
 	board->engine.bite = 1;
-	port_pci_init(&board->port, host, &engine, 64, 4, size);
+	port_pci_init(&board->port, host, &engine, &build);
 	return board;
 }
 

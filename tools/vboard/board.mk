@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
-# The C model of the port, the board that is made of it and the core's model, and their tests.
+# The C models of the ports, the boards that are made of them and the core's model, and their tests.
 
-BOARD_MODEL_OBJECTS := $(addprefix $(BUILD)/tools/vboard/,port_dma.o port_pci.o board_model.o)
+BOARD_BASE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/,port_base.o board_engine.o)
+BOARD_MODEL_OBJECTS := $(BOARD_BASE_OBJECTS) \
+	$(addprefix $(BUILD)/tools/vboard/,port_dma.o port_pci.o board_model.o)
+BOARD_USB_MODEL_OBJECTS := $(BOARD_BASE_OBJECTS) \
+	$(addprefix $(BUILD)/tools/vboard/,port_usb.o board_usb_model.o)
+BOARD_OBJECTS := $(sort $(BOARD_MODEL_OBJECTS) $(BOARD_USB_MODEL_OBJECTS))
 
-$(BOARD_MODEL_OBJECTS): $(BUILD)/%.o: %.c
+$(BOARD_OBJECTS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver $(CFLAGS) -MMD -MP -c $< -o $@
 
--include $(BOARD_MODEL_OBJECTS:.o=.d)
+-include $(BOARD_OBJECTS:.o=.d)
 
 # A host for boards, as the tests need one.
 PORT_HOST_OBJ := $(BUILD)/tests/port/port_host.o

@@ -1,55 +1,26 @@
 // SPDX-License-Identifier: MIT
-/* A board whose core is the C model. */
+/* A PCI board whose core is the C model. */
 #include <stdlib.h>
 
-#include "model/model.h"
+#include "board_engine.h"
 #include "port_pci.h"
 
 struct gloss_board {
 	struct port_pci port;
-	struct model model;
-	struct gloss_job job;		/* under way; its stream and response are the windows */
+	struct board_engine engine;
 };
-
-static bool board_begin(void *data, const struct gloss_job *job)
-{
-	struct gloss_board *board = data;
-
-	board->job = *job;
-	return !model_begin(&board->model, &board->job);
-}
-
-static void board_step(void *data, struct port_step *step)
-{
-	struct gloss_board *board = data;
-	struct model *model = &board->model;
-
-	board->job.stream = step->words;
-	board->job.response = step->answer;
-	model->stream_from = model->at;
-	model->response_from = model->response_used;
-	/* After a fault the rest of the stream is read and ignored. */
-	step->taken = model_step(model) ? model->at - model->stream_from : step->count;
-	step->answered = model->response_used - model->response_from;
-}
-
-static void board_end(void *data, struct gloss_status *status)
-{
-	struct gloss_board *board = data;
-
-	model_end(&board->model, status);
-}
 
 static struct gloss_board *board_create(const struct gloss_board_host *host, void *memory,
 					uint64_t size, uint32_t tile_size)
 {
 	struct gloss_board *board = calloc(1, sizeof(*board));
-	struct port_engine engine = { board, board_begin, board_step, board_end };
+	struct port_engine engine;
+	struct port_build build;
 
 	if (!board)
 		return NULL;
-	model_init(&board->model, (int)tile_size, memory, size);
-	port_pci_init(&board->port, host, &engine, tile_size, 1, size);
+	board_engine_init(&board->engine, memory, size, tile_size, &engine, &build);
+	port_pci_init(&board->port, host, &engine, &build);
 	return board;
 }
 

@@ -4,14 +4,7 @@
 
 #include <string.h>
 
-#include "gloss_regs.h"
-
-/* Stream and response words after which work() returns. */
-#define WORK_WORDS 4096u
-
-#define PAGE_WORDS (GLOSS_PAGE_BYTES / 4)
-
-#define REG(port, name) ((port)->reg[GLOSS_REG_##name / 4])
+#define REG(port, name) PORT_REG(&(port)->base, name)
 
 /* ---- events ---- */
 
@@ -41,7 +34,7 @@ static void port_stop(struct port_pci *port)
 	REG(port, DMA_ERROR_HIGH) = (uint32_t)(port->dma.refused >> 32);
 	REG(port, FAULT_CAUSE) = GLOSS_FAULT_DMA;
 	REG(port, FAULT_OFFSET) = 0;
-	REG(port, FAULT_SEQUENCE) = port->sequence;
+	REG(port, FAULT_SEQUENCE) = port->base.sequence;
 	port_event(port, GLOSS_REG_INTERRUPT_STATUS_DMA);
 }
 
@@ -71,16 +64,8 @@ static bool port_read_slots(struct port_pci *port, uint64_t address, struct glos
 	if (port_dma_read(&port->dma, address, words, GLOSS_SLOTS * GLOSS_SLOT_ENTRY_WORDS) !=
 	    GLOSS_DMA_DONE)
 		return false;
-	for (unsigned int n = 0; n < GLOSS_SLOTS; n++) {
-		struct gloss_slot_entry entry;
-
-		gloss_slot_entry_unpack(words + (size_t)n * GLOSS_SLOT_ENTRY_WORDS, &entry);
-		job->slot[n] = (struct gloss_slot){
-			.base = entry.base & ~(GLOSS_PAGE_BYTES - 1),
-			.size = entry.size,
-			.rights = entry.rights,
-		};
-	}
+	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
+		port_base_slot(job, n, words + (size_t)n * GLOSS_SLOT_ENTRY_WORDS);
 	return true;
 }
 
@@ -91,12 +76,12 @@ static bool port_read_job(struct port_pci *port, struct gloss_job *job)
 	uint32_t words[GLOSS_JOB_DESCRIPTOR_WORDS];
 	struct gloss_job_descriptor d;
 
-	port->sequence = 0;
+	port->base.sequence = 0;
 	if (port_dma_read(&port->dma, address, words, GLOSS_JOB_DESCRIPTOR_WORDS) !=
 	    GLOSS_DMA_DONE)
 		return false;
 	gloss_job_descriptor_unpack(words, &d);
-	port->sequence = d.sequence;
+	port->base.sequence = d.sequence;
 	port_list_init(&port->stream, d.stream_list_low, d.stream_list_high, d.stream_words);
 	port_list_init(&port->response, d.response_list_low, d.response_list_high,
 		       d.response_words);
@@ -116,34 +101,22 @@ static void port_begin(struct port_pci *port)
 		port_stop(port);
 		return;
 	}
-	port->window_first = 0;
-	port->window_count = 0;
-	port->state = PORT_RUNNING;
-	if (port->engine.begin(port->engine.data, &job))
-		return;
-	port->status = (struct gloss_status){ .cause = GLOSS_FAULT_MEMORY };
-	port->state = PORT_ENDING;
+	port->state = port_base_begin(&port->base, &job) ? PORT_RUNNING : PORT_ENDING;
 }
 
 /* ---- the job ---- */
 
-/* Reads on until the window holds what a step may look at. */
+/* Reads on until the window holds any packet. */
 static bool port_fill(struct port_pci *port)
 {
-	const uint32_t size = sizeof(port->window) / sizeof(port->window[0]);
+	struct port_base *base = &port->base;
 
-	while (port->window_count < PORT_WINDOW_WORDS && port_list_left(&port->stream)) {
+	while (base->window_count < PORT_WINDOW_WORDS && port_list_left(&port->stream)) {
 		uint32_t words = port_list_in_page(&port->stream);
 
-		if (port->window_first + port->window_count + PAGE_WORDS > size) {
-			memmove(port->window, port->window + port->window_first,
-				4 * (size_t)port->window_count);
-			port->window_first = 0;
-		}
-		if (!port_list_read(&port->stream, &port->dma,
-				    port->window + port->window_first + port->window_count, words))
+		if (!port_list_read(&port->stream, &port->dma, port_base_room(base, words), words))
 			return false;
-		port->window_count += words;
+		base->window_count += words;
 	}
 	return true;
 }
@@ -157,18 +130,11 @@ static uint32_t port_step(struct port_pci *port)
 		port_stop(port);
 		return 0;
 	}
-	if (!port->window_count)
+	if (!port->base.window_count)
 		return 0;
-	step = (struct port_step){
-		.words = port->window + port->window_first,
-		.count = port->window_count,
-		.answer = port->answer,
-	};
-	port->engine.step(port->engine.data, &step);
-	port->window_first += step.taken;
-	port->window_count -= step.taken;
-	REG(port, PROGRESS) += step.taken + step.answered;
-	if (!port_list_write(&port->response, &port->dma, port->answer, step.answered)) {
+	port_base_step(&port->base, &step);
+	REG(port, PROGRESS) += step.taken;
+	if (!port_list_write(&port->response, &port->dma, step.answer, step.answered)) {
 		port_stop(port);
 		return 0;
 	}
@@ -179,13 +145,13 @@ static void port_run(struct port_pci *port)
 {
 	uint32_t words = 0;
 
-	while (words < WORK_WORDS) {
+	while (words < PORT_WORK_WORDS) {
 		uint32_t more = port_step(port);
 
 		if (port->state == PORT_STOPPED)
 			return;
 		if (!more) {
-			port->engine.end(port->engine.data, &port->status);
+			port->base.engine.end(port->base.engine.data, &port->base.status);
 			port->state = PORT_ENDING;
 			return;
 		}
@@ -201,10 +167,10 @@ static void port_end(struct port_pci *port)
 	uint32_t events = GLOSS_REG_INTERRUPT_STATUS_DONE;
 
 	gloss_completion_pack(words, &(struct gloss_completion){
-		.sequence = port->sequence,
-		.cause = port->status.cause,
-		.offset = port->status.offset,
-		.response_words = port->status.response_words,
+		.sequence = port->base.sequence,
+		.cause = port->base.status.cause,
+		.offset = port->base.status.offset,
+		.response_words = port->base.status.response_words,
 	});
 	switch (port_dma_write(&port->dma, address, words, GLOSS_COMPLETION_WORDS)) {
 	case GLOSS_DMA_LATER:
@@ -216,13 +182,9 @@ static void port_end(struct port_pci *port)
 		break;
 	}
 	REG(port, HEAD) = (REG(port, HEAD) + 1) & GLOSS_REG_HEAD_JOBS;
-	REG(port, JOBS)++;
-	if (port->status.cause) {
-		REG(port, FAULT_CAUSE) = port->status.cause;
-		REG(port, FAULT_OFFSET) = port->status.offset;
-		REG(port, FAULT_SEQUENCE) = port->sequence;
+	port_base_count(&port->base);
+	if (port->base.status.cause)
 		events |= GLOSS_REG_INTERRUPT_STATUS_FAULT;
-	}
 	port->state = PORT_READY;
 	port_event(port, events);
 }
@@ -271,7 +233,7 @@ uint32_t port_pci_read(const struct port_pci *port, uint32_t offset)
 {
 	if (offset == GLOSS_REG_STATUS)
 		return port_status(port);
-	return offset / 4 < PORT_REGISTERS ? port->reg[offset / 4] : 0;
+	return offset / 4 < PORT_REGISTERS ? port->base.reg[offset / 4] : 0;
 }
 
 void port_pci_write(struct port_pci *port, uint32_t offset, uint32_t value)
@@ -285,31 +247,22 @@ void port_pci_write(struct port_pci *port, uint32_t offset, uint32_t value)
 	if (offset == GLOSS_REG_INTERRUPT_STATUS)
 		REG(port, INTERRUPT_STATUS) &= ~value;
 	else if (writable[offset / 4])
-		port->reg[offset / 4] = value & writable[offset / 4];
+		port->base.reg[offset / 4] = value & writable[offset / 4];
 	port_level(port);
 }
 
 void port_pci_reset(struct port_pci *port)
 {
-	memset(port->reg, 0, sizeof(port->reg));
-	REG(port, IDENTITY) = GLOSS_IDENTITY;
-	REG(port, VERSION) = GLOSS_VERSION;
-	REG(port, CAPABILITIES) = port->tile_size | port->pixels_per_clock << 8 |
-				  GLOSS_RING_MAX_LOG2 << 16;
-	REG(port, MEMORY_PAGES) = port->memory_pages;
+	port_base_reset(&port->base, GLOSS_RING_MAX_LOG2);
 	port->state = PORT_READY;
 	port_level(port);
 }
 
 void port_pci_init(struct port_pci *port, const struct gloss_board_host *host,
-		   const struct port_engine *engine, uint32_t tile_size, uint32_t pixels_per_clock,
-		   uint64_t memory_size)
+		   const struct port_engine *engine, const struct port_build *build)
 {
 	memset(port, 0, sizeof(*port));
 	port->dma.host = host;
-	port->engine = *engine;
-	port->tile_size = tile_size;
-	port->pixels_per_clock = pixels_per_clock;
-	port->memory_pages = (uint32_t)(memory_size / GLOSS_PAGE_BYTES);
+	port_base_init(&port->base, engine, build);
 	port_pci_reset(port);
 }
