@@ -108,7 +108,9 @@ module port_pci #(
   logic write_error;
 
   // registers
-  logic enable, idle;
+  logic reg_write, enable, idle, fault;
+  logic [15:0] reg_address;
+  logic [31:0] reg_own;
   logic [63:6] ring;
   logic [3:0] ring_log2;
   logic [15:0] tail, head;
@@ -170,17 +172,27 @@ module port_pci #(
     .idle_i(gate_idle && memory_idle_i), .rst_no(core_rst_n)
   );
 
-  port_registers #(.TileSize(TileSize), .PixelsPerClock(PixelsPerClock)) u_registers (
+  port_registers #(
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .RingMaxLog2(gloss_pkg::RingMaxLog2)
+  ) u_registers (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
     .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
-    .irq_o, .irq_event_o, .memory_pages_i,
-    .reset_o(reset), .resetting_i(resetting),
-    .enable_o(enable), .ring_o(ring), .ring_log2_o(ring_log2), .tail_o(tail), .head_i(head),
-    .records_o(records), .running_i(current && !error_stop), .idle_i(idle),
-    .done_i(done), .status_i, .sequence_i(sequence_now), .time_i,
+    .memory_pages_i,
+    .write_o(reg_write), .address_o(reg_address), .own_i(reg_own),
+    .reset_o(reset), .resetting_i(resetting), .enable_i(enable),
+    .running_i(current && !error_stop), .idle_i(idle), .dma_error_i(dma_error), .lost_i(1'b0),
+    .done_i(done), .status_i, .sequence_i(sequence_now), .time_i, .fault_o(fault),
     .stream_taken_i(stream_taken), .response_taken_i(response_taken),
-    .dma_error_i(dma_error), .dma_event_i(dma_event), .dma_address_i(dma_address),
-    .dma_sequence_i(dma_sequence)
+    .dma_event_i(dma_event), .dma_sequence_i(dma_sequence)
+  );
+
+  port_pci_registers u_pci_registers (
+    .clk_i, .core_rst_ni(core_rst_n),
+    .write_i(reg_write), .address_i(reg_address), .wdata_i(reg_wdata_i), .rdata_o(reg_own),
+    .resetting_i(resetting), .irq_o, .irq_event_o,
+    .enable_o(enable), .ring_o(ring), .ring_log2_o(ring_log2), .tail_o(tail), .head_i(head),
+    .records_o(records), .done_i(done), .fault_i(fault),
+    .dma_error_i(dma_error), .dma_event_i(dma_event), .dma_address_i(dma_address)
   );
 
   port_ring #(.StreamBits(StreamBits)) u_ring (
