@@ -5,8 +5,10 @@ VM_TESTS += user:test_bunny user:test_stream_drm user:test_triangle root:test_vi
 	root:test_library
 VM_NEEDS += $(BUILD)/gloss-view $(BUILD)/tests/vm/triangle-auto $(BUILD)/tests/vm/triangle-model
 
-$(BUILD)/tests/vm/test_stream_drm: VM_CFLAGS += -Itests/stream
-$(BUILD)/tests/vm/test_stream_drm: $(STREAM_RANDOM_OBJS)
+# Random jobs on any board.
+VM_STREAM_OBJS := $(BUILD)/tests/vm/vm_stream.o $(STREAM_RANDOM_OBJS)
+$(BUILD)/tests/vm/vm_stream.o: VM_CFLAGS += -Itests/stream
+$(BUILD)/tests/vm/test_stream_drm: $(VM_STREAM_OBJS)
 $(BUILD)/tests/vm/test_library: $(BUILD)/tests/vm/vm_board.o
 
 # The first program of README.md, on the first board there is and on another.
