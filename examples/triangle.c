@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Three vertices, and a highlight between them: triangle >triangle.ppm */
+/* Three vertices, and a highlight between them: triangle [DEVICE] >triangle.ppm */
 #include <accel.h>
 #include <stdio.h>
 
@@ -12,15 +12,16 @@ static const struct accel_light lamp = { .enabled = true, .position = { 0, 0, 1,
 					 .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
 					 .spot_cutoff = 180 };
 
-int main(void)
+int main(int argc, char **argv)
 {
+	const char *name = argc > 1 ? argv[1] : "auto";
 	static unsigned char pixel[256 * 256][4];
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_state *state;
 	struct accel_draw *draw;
 
-	if (accel_device_new("auto", NULL, NULL, &device) || accel_draw_new(device, &draw) ||
+	if (accel_device_new(name, NULL, NULL, &device) || accel_draw_new(device, &draw) ||
 	    accel_target_new(device, 256, 256, &target) || accel_state_new(&state) ||
 	    accel_state_set_material(state, &gold, NULL) || accel_state_set_light(state, 0, &lamp))
 		return 1;

@@ -3,7 +3,7 @@
 
 VM_TESTS += user:test_bunny user:test_stream_drm user:test_triangle root:test_view_device \
 	root:test_library
-VM_NEEDS += $(BUILD)/gloss-view $(BUILD)/tests/vm/triangle-auto $(BUILD)/tests/vm/triangle-model
+VM_NEEDS += $(BUILD)/gloss-view $(BUILD)/tests/vm/triangle
 
 # Random jobs on any board.
 VM_STREAM_OBJS := $(BUILD)/tests/vm/vm_stream.o $(STREAM_RANDOM_OBJS)
@@ -11,9 +11,8 @@ $(BUILD)/tests/vm/vm_stream.o: VM_CFLAGS += -Itests/stream
 $(BUILD)/tests/vm/test_stream_drm: $(VM_STREAM_OBJS)
 $(BUILD)/tests/vm/test_library: $(BUILD)/tests/vm/vm_board.o
 
-# The first program of README.md, on the first board there is and on another.
-$(BUILD)/tests/vm/triangle-%: examples/triangle.c $(BUILD)/libaccel.a
-	$(call quiet,CC,$< on $*)
+# The first program of README.md.
+$(BUILD)/tests/vm/triangle: examples/triangle.c $(BUILD)/libaccel.a
+	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)sed 's/"auto"/"$*"/' $< | $(CC) $(ACCEL_CFLAGS) $(CFLAGS) -x c - -x none \
-		$(BUILD)/libaccel.a $(ACCEL_LIBS) -o $@
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $^ $(ACCEL_LIBS) -o $@
