@@ -137,18 +137,21 @@ static uint32_t port_begin_head(struct port_usb *port)
 	return 1;
 }
 
-static void port_begin(struct port_usb *port, const struct gloss_usb_job *head)
+static void port_begin(struct port_usb *port)
 {
-	struct gloss_job job = {
-		.stream_words = head->stream_words,
-		.response_words = head->response_words,
-	};
+	struct gloss_usb_job head;
+	struct gloss_job job;
 
-	for (uint32_t n = 0; n < head->slots; n++)
+	gloss_usb_job_unpack(port->head, &head);
+	job = (struct gloss_job){
+		.stream_words = head.stream_words,
+		.response_words = head.response_words,
+	};
+	for (uint32_t n = 0; n < head.slots; n++)
 		port_base_slot(&job, n, port->head + GLOSS_USB_JOB_WORDS +
 					(size_t)n * GLOSS_SLOT_ENTRY_WORDS);
-	port->base.sequence = head->sequence;
-	port->stream_left = head->stream_words;
+	port->base.sequence = head.sequence;
+	port->stream_left = head.stream_words;
 	port->answer_count = 0;
 	port->chunk_count = 0;
 	port->refused = !port_base_begin(&port->base, &job);
@@ -157,15 +160,14 @@ static void port_begin(struct port_usb *port, const struct gloss_usb_job *head)
 
 static uint32_t port_head(struct port_usb *port)
 {
-	struct gloss_usb_job job;
-	uint32_t words, moved;
+	uint32_t slots = port->head[0] & GLOSS_USB_JOB_SLOTS;
+	uint32_t words = GLOSS_USB_JOB_WORDS + slots * GLOSS_SLOT_ENTRY_WORDS;
+	uint32_t moved;
 
-	gloss_usb_job_unpack(port->head, &job);
-	words = GLOSS_USB_JOB_WORDS + job.slots * GLOSS_SLOT_ENTRY_WORDS;
 	moved = fifo_pop_many(&port->out, port->head + port->head_count, words - port->head_count);
 	port->head_count += moved;
 	if (port->head_count == words)
-		port_begin(port, &job);
+		port_begin(port);
 	return moved;
 }
 
