@@ -1,78 +1,29 @@
 // SPDX-License-Identifier: MIT
 /* The model of the PCI port, around an engine that does what a test tells it. */
 #include "accel_test.h"
+#include "fake_engine.h"
 #include "port_host.h"
 #include "port_pci.h"
 
 #define R(name) GLOSS_REG_##name
 #define MASK_ALL (R(INTERRUPT_MASK_DONE) | R(INTERRUPT_MASK_FAULT) | R(INTERRUPT_MASK_DMA))
 #define MEMORY_SIZE (7 * 4096)
-#define STREAM_MAX 8192
-
-/* Takes @bite words a step and answers @answers for each step, until the job has no more room. */
-struct fake_engine {
-	uint32_t bite, answers;
-	enum gloss_fault cause;
-	bool refuses;
-
-	struct gloss_job job;
-	uint32_t begun, ended;
-	uint32_t stream[STREAM_MAX];
-	uint32_t taken, answered;
-	bool window_short;		/* was ever shorter than it may be */
-};
 
 struct gloss_board {
 	struct port_pci port;
 	struct fake_engine engine;
 };
 
-static bool fake_begin(void *data, const struct gloss_job *job)
-{
-	struct fake_engine *engine = data;
-
-	engine->job = *job;
-	engine->taken = 0;
-	engine->answered = 0;
-	engine->begun++;
-	return !engine->refuses;
-}
-
-static void fake_step(void *data, struct port_step *step)
-{
-	struct fake_engine *engine = data;
-	uint32_t left = engine->job.stream_words - engine->taken;
-	uint32_t room = engine->job.response_words - engine->answered;
-
-	engine->window_short |= step->count < left && step->count < PORT_WINDOW_WORDS;
-	step->taken = engine->bite < step->count ? engine->bite : step->count;
-	for (uint32_t n = 0; n < step->taken; n++)
-		engine->stream[(engine->taken + n) % STREAM_MAX] = step->words[n];
-	engine->taken += step->taken;
-	step->answered = engine->answers < room ? engine->answers : room;
-	for (uint32_t n = 0; n < step->answered; n++)
-		step->answer[n] = 0xa0000000 + engine->answered + n;
-	engine->answered += step->answered;
-}
-
-static void fake_end(void *data, struct gloss_status *status)
-{
-	struct fake_engine *engine = data;
-
-	engine->ended++;
-	*status = (struct gloss_status){ engine->cause, engine->taken, engine->answered };
-}
-
 static struct gloss_board *fake_create(const struct gloss_board_host *host, void *memory,
 				       uint64_t size)
 {
 	struct gloss_board *board = calloc(1, sizeof(*board));
-	struct port_engine engine = { &board->engine, fake_begin, fake_step, fake_end };
+	struct port_engine engine;
 	struct port_build build = { 64, 4, (uint32_t)(size / GLOSS_PAGE_BYTES) };
 
 	(void)memory;
 	assert_non_null(board);
-	board->engine.bite = 1;
+	engine = fake_engine_init(&board->engine);
 	port_pci_init(&board->port, host, &engine, &build);
 	return board;
 }
@@ -127,20 +78,11 @@ static int teardown(void **state)
 	return 0;
 }
 
-static const uint32_t *counting_words(void)
-{
-	static uint32_t words[STREAM_MAX];
-
-	for (uint32_t n = 0; n < STREAM_MAX; n++)
-		words[n] = 0x50000000 + n;
-	return words;
-}
-
 /* A job of so many words, which the engine is to answer with that many a step. */
 static struct gloss_job_descriptor describe(struct port_host *host, uint32_t stream_words,
 					    uint32_t response_words, uint32_t sequence)
 {
-	struct gloss_job job = { .stream = counting_words(), .stream_words = stream_words,
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
 				 .response_words = response_words };
 
 	return port_host_describe(host, &job, sequence);
@@ -236,7 +178,7 @@ static void registers_that_are_read_only_ignore_writes(void **state)
 static void job_passes_its_slots_with_low_bits_dropped(void **state)
 {
 	struct port_host *host = *state;
-	struct gloss_job job = { .stream = counting_words(), .stream_words = 3 };
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 3 };
 	struct gloss_job_descriptor d;
 
 	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
@@ -261,7 +203,7 @@ static void job_sees_its_stream_in_order_from_scattered_pages(void **state)
 	static const uint32_t bites[] = { 1, 7, 1024, PORT_WINDOW_WORDS, ~0u };
 	struct port_host *host = *state;
 	struct fake_engine *engine = &host->board->engine;
-	struct gloss_job_descriptor d = describe(host, STREAM_MAX - 5, 0, 1);
+	struct gloss_job_descriptor d = describe(host, FAKE_STREAM_MAX - 5, 0, 1);
 
 	port_host_start(host, 3, 0);
 	for (size_t n = 0; n < sizeof(bites) / sizeof(bites[0]); n++) {
@@ -269,7 +211,7 @@ static void job_sees_its_stream_in_order_from_scattered_pages(void **state)
 		memset(engine->stream, 0, sizeof(engine->stream));
 		submit(host, &d);
 		assert_int_equal(engine->ended, n + 1);
-		assert_memory_equal(engine->stream, counting_words(), 4 * (STREAM_MAX - 5));
+		assert_memory_equal(engine->stream, fake_engine_words(), 4 * (FAKE_STREAM_MAX - 5));
 		assert_false(engine->window_short);
 	}
 }
@@ -348,7 +290,7 @@ static void job_ignores_low_bits_of_addresses(void **state)
 	port_host_write(host, R(CONTROL), R(CONTROL_ENABLE));
 	host->board->engine.answers = 1;
 	submit(host, &d);
-	assert_memory_equal(host->board->engine.stream, counting_words(), 8000);
+	assert_memory_equal(host->board->engine.stream, fake_engine_words(), 8000);
 	assert_int_equal(port_host_get(host, port_host_word(host, response, 1999)),
 			 0xa0000000 + 1999);
 	assert_int_equal(port_host_completion(host, 0).sequence, 7);
@@ -658,7 +600,7 @@ static void assert_serves(struct port_host *host)
 	port_host_start(host, 1, R(INTERRUPT_MASK_DONE));
 	submit(host, &d);
 	assert_int_equal(port_host_completion(host, 0).sequence, 4711);
-	assert_memory_equal(host->board->engine.stream, counting_words(), 12000);
+	assert_memory_equal(host->board->engine.stream, fake_engine_words(), 12000);
 	assert_true(host->level);
 }
 

@@ -15,19 +15,22 @@ $(BOARD_OBJECTS): $(BUILD)/%.o: %.c
 
 -include $(BOARD_OBJECTS:.o=.d)
 
-# A host for boards, as the tests need one.
+# Hosts for boards and an engine for ports, as the tests need them.
 PORT_HOST_OBJ := $(BUILD)/tests/port/port_host.o
-$(PORT_HOST_OBJ): $(BUILD)/%.o: %.c
+USB_HOST_OBJ := $(BUILD)/tests/port/usb_host.o
+FAKE_ENGINE_OBJ := $(BUILD)/tests/port/fake_engine.o
+PORT_TEST_OBJS := $(PORT_HOST_OBJ) $(USB_HOST_OBJ) $(FAKE_ENGINE_OBJ)
+$(PORT_TEST_OBJS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -MMD -MP -c $< -o $@
 
--include $(PORT_HOST_OBJ:.o=.d)
+-include $(PORT_TEST_OBJS:.o=.d)
 
-BOARD_UNIT_TESTS := test_port_pci test_board_model
+BOARD_UNIT_TESTS := test_port_pci test_port_usb test_board_model test_board_usb_model
 
 $(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c \
-		$(PORT_HOST_OBJ) $(BOARD_MODEL_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
+		$(PORT_TEST_OBJS) $(BOARD_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard -Itests/port -Itests/stream $(CFLAGS) \

@@ -1,0 +1,784 @@
+// SPDX-License-Identifier: MIT
+/* The model of the USB port, around an engine that does what a test tells it. */
+#include "accel_test.h"
+#include "fake_engine.h"
+#include "port_usb.h"
+#include "usb_host.h"
+
+#define R(name) GLOSS_REG_##name
+#define MEMORY_SIZE (7 * 4096)
+#define NONCE 0x1234abcd
+#define JOB_HEADER (GLOSS_USB_JOB_MAGIC << 8)
+
+struct gloss_usb_board {
+	struct port_usb port;
+	struct fake_engine engine;
+};
+
+static struct gloss_usb_board *fake_create(void *memory, uint64_t size)
+{
+	struct gloss_usb_board *board = calloc(1, sizeof(*board));
+	struct port_build build = { 64, 4, (uint32_t)(size / GLOSS_PAGE_BYTES) };
+	struct port_engine engine;
+
+	(void)memory;
+	assert_non_null(board);
+	engine = fake_engine_init(&board->engine);
+	port_usb_init(&board->port, &engine, &build);
+	return board;
+}
+
+static void fake_destroy(struct gloss_usb_board *board)
+{
+	free(board);
+}
+
+static uint32_t fake_read(struct gloss_usb_board *board, uint32_t offset)
+{
+	return port_usb_read(&board->port, offset);
+}
+
+static void fake_write(struct gloss_usb_board *board, uint32_t offset, uint32_t value)
+{
+	port_usb_write(&board->port, offset, value);
+}
+
+static uint32_t fake_out(struct gloss_usb_board *board, const uint32_t *words, uint32_t count)
+{
+	return port_usb_out(&board->port, words, count);
+}
+
+static uint32_t fake_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
+{
+	return port_usb_in(&board->port, words, room, flush);
+}
+
+static bool fake_event(struct gloss_usb_board *board, uint32_t words[2])
+{
+	return port_usb_event(&board->port, words);
+}
+
+static bool fake_work(struct gloss_usb_board *board)
+{
+	return port_usb_work(&board->port);
+}
+
+static void fake_reset(struct gloss_usb_board *board)
+{
+	port_usb_reset(&board->port);
+}
+
+static const struct gloss_usb_board_ops fake_ops = {
+	.abi = GLOSS_USB_BOARD_ABI,
+	.create = fake_create,
+	.destroy = fake_destroy,
+	.read = fake_read,
+	.write = fake_write,
+	.out = fake_out,
+	.in = fake_in,
+	.event = fake_event,
+	.work = fake_work,
+	.reset = fake_reset,
+};
+
+static int setup(void **state)
+{
+	struct usb_host *host = malloc(sizeof(*host));
+
+	*state = host;
+	return host && usb_host_init(host, &fake_ops, NULL, MEMORY_SIZE) ? 0 : -1;
+}
+
+static int teardown(void **state)
+{
+	usb_host_fini(*state);
+	free(*state);
+	return 0;
+}
+
+static void run(struct usb_host *host)
+{
+	assert_true(usb_host_run(host));
+	assert_int_equal(host->sent, host->out.count);
+}
+
+/* As a driver does: reset, nonce, sync, echo. */
+static void start(struct usb_host *host)
+{
+	assert_true(usb_host_reset(host, NONCE));
+	usb_host_sync(host, NONCE);
+	run(host);
+	assert_true(usb_host_echo(host, NONCE));
+}
+
+static void add_job(struct usb_host *host, uint32_t stream_words, uint32_t response_words,
+		    uint32_t sequence)
+{
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
+				 .response_words = response_words };
+
+	usb_host_job(host, &job, 0, sequence);
+}
+
+/* The next answer on IN is that of the fake engine, this long, and the job's. */
+static void assert_answer(struct usb_host *host, uint32_t words, uint32_t sequence)
+{
+	assert_true(usb_host_answer(host));
+	assert_int_equal(host->completion.sequence, sequence);
+	assert_int_equal(host->response.count, words);
+	for (uint32_t n = 0; n < words; n++)
+		assert_int_equal(host->response.word[n], fake_engine_answer(n));
+}
+
+static void assert_status(struct usb_host *host, uint32_t status)
+{
+	assert_int_equal(usb_host_read(host, R(STATUS)), status);
+}
+
+/* Every register there is, in its state after power on or a reset; NONCE as it was written. */
+static void assert_reset(struct usb_host *host, uint32_t nonce)
+{
+	for (uint32_t offset = 0; offset < 0x10000; offset += 4) {
+		uint32_t expected = offset == R(IDENTITY) ? 0x534f4c47 :
+				    offset == R(VERSION) ? GLOSS_VERSION :
+				    offset == R(CAPABILITIES) ? 64 | 4 << 8 :
+				    offset == R(MEMORY_PAGES) ? 7 :
+				    offset == R(NONCE) ? nonce :
+				    offset == R(STATUS) ? R(STATUS_IDLE) : 0;
+		uint32_t value = usb_host_read(host, offset);
+
+		if (value != expected)
+			fail_msg("register 0x%03x is 0x%08x, not 0x%08x", offset, value, expected);
+	}
+}
+
+/* ---- registers ---- */
+
+static void registers_are_zero_after_power_on(void **state)
+{
+	struct usb_host *host = *state;
+
+	assert_reset(host, 0);
+	assert_false(port_usb_work(&host->board->port));
+	assert_false(usb_host_step(host));
+}
+
+static void registers_but_nonce_ignore_writes(void **state)
+{
+	struct usb_host *host = *state;
+
+	for (uint32_t offset = 0; offset < 0x10000; offset += 4)
+		usb_host_write(host, offset, offset == R(CONTROL) ? ~R(CONTROL_RESET) : ~0u);
+	assert_reset(host, ~0u);
+}
+
+/* ---- synchronisation ---- */
+
+static void sync_comes_back_and_ends_a_burst(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	assert_true(usb_host_empty(host));
+	assert_status(host, R(STATUS_IDLE));
+	assert_int_equal(host->event.count, 0);
+}
+
+static void sync_that_is_not_right_is_dropped(void **state)
+{
+	struct usb_host *host = *state;
+
+	for (uint32_t n = 0; n < GLOSS_USB_SYNC_WORDS * 32; n++) {
+		assert_true(usb_host_reset(host, NONCE));
+		usb_host_sync(host, NONCE);
+		host->out.word[n / 32] ^= 1u << n % 32;
+		run(host);
+		assert_int_equal(host->in.count, 0);
+	}
+	/* Right in itself, with the nonce of somebody else. */
+	usb_host_sync(host, NONCE + 1);
+	run(host);
+	assert_int_equal(host->in.count, 0);
+	assert_reset(host, NONCE);
+}
+
+static void sync_with_a_nonce_of_zero_is_dropped(void **state)
+{
+	struct usb_host *host = *state;
+
+	assert_true(usb_host_reset(host, 0));
+	usb_host_sync(host, 0);
+	run(host);
+	assert_int_equal(host->in.count, 0);
+}
+
+static void sync_is_found_behind_anything(void **state)
+{
+	struct usb_host *host = *state;
+
+	for (uint32_t words = 1; words < GLOSS_USB_SYNC_WORDS; words++) {
+		assert_true(usb_host_reset(host, NONCE));
+		/* A part of one, a job of somebody else, another part. */
+		usb_host_sync(host, NONCE);
+		host->out.count = words;
+		add_job(host, words, 0, 1);
+		usb_host_sync(host, NONCE);
+		host->out.count -= words;
+		usb_host_sync(host, NONCE);
+		add_job(host, 3, 0, 2);
+		run(host);
+		assert_true(usb_host_echo(host, NONCE));
+		assert_answer(host, 0, 2);
+		assert_true(usb_host_empty(host));
+	}
+}
+
+static void sync_waits_for_its_nonce_to_be_written(void **state)
+{
+	struct usb_host *host = *state;
+
+	assert_true(usb_host_reset(host, 7));
+	usb_host_sync(host, NONCE);
+	host->out.count = GLOSS_USB_SYNC_WORDS - 1;
+	run(host);
+	usb_host_write(host, R(NONCE), NONCE);
+	host->out.count = GLOSS_USB_SYNC_WORDS;
+	run(host);
+	assert_true(usb_host_echo(host, NONCE));
+	/* Then it does not matter any more. */
+	usb_host_write(host, R(NONCE), 0);
+	add_job(host, 1, 0, 1);
+	run(host);
+	assert_answer(host, 0, 1);
+}
+
+static void jobs_without_a_sync_are_dropped(void **state)
+{
+	struct usb_host *host = *state;
+
+	assert_true(usb_host_reset(host, NONCE));
+	add_job(host, 10, 10, 1);
+	run(host);
+	assert_int_equal(host->in.count, 0);
+	assert_int_equal(host->board->engine.begun, 0);
+	assert_reset(host, NONCE);
+}
+
+/* ---- jobs ---- */
+
+static void job_passes_the_slots_it_has(void **state)
+{
+	static const uint32_t counts[] = { 0, 1, 15, 16 };
+	struct usb_host *host = *state;
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 3 };
+
+	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
+		job.slot[n] = (struct gloss_slot){ n << 12 | 0xabc, 100 + n,
+						   (enum gloss_rights)(n % 4) };
+	start(host);
+	for (size_t c = 0; c < sizeof(counts) / sizeof(counts[0]); c++) {
+		usb_host_job(host, &job, counts[c], 1);
+		run(host);
+		for (uint32_t n = 0; n < GLOSS_SLOTS; n++) {
+			struct gloss_slot slot = host->board->engine.job.slot[n];
+			bool sent = n < counts[c];
+
+			assert_int_equal(slot.base, sent ? n << 12 : 0);
+			assert_int_equal(slot.size, sent ? 100 + n : 0);
+			assert_int_equal(slot.rights, sent ? n % 4 : 0);
+		}
+		assert_answer(host, 0, 1);
+	}
+}
+
+static void job_sees_its_stream_in_order_and_packets_as_a_whole(void **state)
+{
+	static const uint32_t bites[] = { 1, 7, 1024, PORT_WINDOW_WORDS, ~0u };
+	static const uint32_t offers[] = { 1, 100, 4097, ~0u };
+	struct usb_host *host = *state;
+	struct fake_engine *engine = &host->board->engine;
+
+	start(host);
+	for (uint32_t n = 0; n < 20; n++) {
+		engine->bite = bites[n % 5];
+		host->offer = offers[n / 5];
+		memset(engine->stream, 0, sizeof(engine->stream));
+		add_job(host, FAKE_STREAM_MAX - 5, 0, n);
+		run(host);
+		assert_int_equal(engine->ended, n + 1);
+		assert_memory_equal(engine->stream, fake_engine_words(), 4 * (FAKE_STREAM_MAX - 5));
+		assert_false(engine->window_short);
+		assert_answer(host, 0, n);
+	}
+	assert_true(usb_host_empty(host));
+}
+
+static void job_of_no_words_ends(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	for (uint32_t n = 0; n < 3; n++)
+		add_job(host, 0, 100 * n, 70 + n);
+	run(host);
+	for (uint32_t n = 0; n < 3; n++)
+		assert_answer(host, 0, 70 + n);
+	assert_true(usb_host_empty(host));
+	assert_int_equal(host->board->engine.ended, 3);
+}
+
+/* Words of a stream whose packets are that long, headers included. */
+static const uint32_t *packets(uint32_t words)
+{
+	static uint32_t stream[FAKE_STREAM_MAX];
+
+	for (uint32_t n = 0; n < FAKE_STREAM_MAX; n++)
+		stream[n] = n % words ? ~0u : words - 1;
+	return stream;
+}
+
+static void packet_is_executed_when_it_is_there(void **state)
+{
+	struct usb_host *host = *state;
+	struct fake_engine *engine = &host->board->engine;
+	struct gloss_job job = { .stream_words = FAKE_STREAM_MAX };
+	uint32_t begin;
+
+	start(host);
+	for (uint32_t words = 1; words <= GLOSS_LENGTH_MAX + 1; words *= 2) {
+		job.stream = packets(words);
+		engine->bite = words;
+		begin = host->out.count + GLOSS_USB_JOB_WORDS;
+		usb_host_job(host, &job, 0, words);
+		host->out.count = begin + 2 * words - 1;
+		run(host);
+		assert_int_equal(engine->taken, words);
+		host->out.count++;
+		run(host);
+		assert_int_equal(engine->taken, 2 * words);
+		assert_status(host, R(STATUS_RUNNING));
+		host->out.count = begin + FAKE_STREAM_MAX;
+		run(host);
+		assert_answer(host, 0, words);
+	}
+}
+
+static void job_that_the_engine_refuses_is_read_to_its_end(void **state)
+{
+	struct usb_host *host = *state;
+
+	host->board->engine.refuses = true;
+	start(host);
+	add_job(host, 5000, 10, 1);
+	run(host);
+	assert_answer(host, 0, 1);
+	assert_int_equal(host->completion.cause, GLOSS_FAULT_MEMORY);
+	assert_int_equal(host->completion.offset, 0);
+	assert_int_equal(host->board->engine.taken + host->board->engine.ended, 0);
+	host->board->engine.refuses = false;
+	add_job(host, 10, 10, 2);
+	run(host);
+	assert_answer(host, 0, 2);
+	assert_int_equal(host->completion.cause, GLOSS_FAULT_NONE);
+}
+
+/* ---- answers ---- */
+
+static void response_comes_in_chunks_that_are_full(void **state)
+{
+	static const uint32_t words[] = { 0, 1, 255, 256, 257, 511, 512, 513, 5000, 65535, 200000 };
+	static const uint32_t answers[] = { 1, 41, 256, 65535 };
+	struct usb_host *host = *state;
+
+	start(host);
+	for (size_t n = 0; n < sizeof(words) / sizeof(words[0]); n++) {
+		for (size_t a = 0; a < sizeof(answers) / sizeof(answers[0]); a++) {
+			uint32_t steps = words[n] / answers[a] + 1;
+
+			if (steps > FAKE_STREAM_MAX)
+				continue;
+			host->board->engine.answers = answers[a];
+			add_job(host, steps, words[n], (uint32_t)n);
+			run(host);
+			/* host tells if a chunk but the last is not full */
+			assert_answer(host, words[n], (uint32_t)n);
+			assert_true(usb_host_empty(host));
+		}
+	}
+}
+
+static void chunk_leaves_when_it_is_full(void **state)
+{
+	struct usb_host *host = *state;
+	struct gloss_job job = { .stream = packets(1), .stream_words = 1000,
+				 .response_words = 1000 };
+
+	start(host);
+	host->board->engine.answers = 1;
+	usb_host_job(host, &job, 0, 1);
+	for (uint32_t words = 1; words < 1000; words++) {
+		host->out.count = 2 * GLOSS_USB_JOB_WORDS + words;
+		run(host);
+		assert_int_equal(host->in.count, 4 + words / 256 * 257);
+	}
+	host->out.count++;
+	run(host);
+	assert_answer(host, 1000, 1);
+}
+
+static void completion_has_what_the_engine_says(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	host->board->engine.answers = 1;
+	host->board->engine.cause = GLOSS_FAULT_SLOT;
+	add_job(host, 20, 12, 0x89abcdef);
+	run(host);
+	assert_answer(host, 12, 0x89abcdef);
+	assert_int_equal(host->completion.cause, GLOSS_FAULT_SLOT);
+	assert_int_equal(host->completion.offset, 20);
+	assert_int_equal(usb_host_read(host, R(FAULT_CAUSE)), GLOSS_FAULT_SLOT);
+	assert_int_equal(usb_host_read(host, R(FAULT_OFFSET)), 20);
+	assert_int_equal(usb_host_read(host, R(FAULT_SEQUENCE)), 0x89abcdef);
+	assert_int_equal(usb_host_read(host, R(PROGRESS)), 32);
+	assert_int_equal(usb_host_read(host, R(JOBS)), 1);
+	/* A good job leaves the last fault where it is. */
+	host->board->engine.cause = GLOSS_FAULT_NONE;
+	add_job(host, 0, 0, 2);
+	run(host);
+	assert_answer(host, 0, 2);
+	assert_int_equal(host->completion.cause, GLOSS_FAULT_NONE);
+	assert_int_equal(usb_host_read(host, R(FAULT_SEQUENCE)), 0x89abcdef);
+	assert_int_equal(usb_host_read(host, R(JOBS)), 2);
+}
+
+/* Whoever has a completion finds its job counted. */
+static void completion_comes_after_the_registers(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	host->take = 1;
+	host->board->engine.cause = GLOSS_FAULT_ORDER;
+	for (uint32_t n = 0; n < 5; n++)
+		add_job(host, 3, 0, 100 + n);
+	do {
+		if (usb_host_answer(host)) {
+			assert_in_range(usb_host_read(host, R(JOBS)),
+					host->completion.sequence - 99, 5);
+			assert_in_range(usb_host_read(host, R(FAULT_SEQUENCE)),
+					host->completion.sequence, 104);
+		} else {
+			host->read = host->burst.word[host->bursts_read - 1];
+		}
+	} while (usb_host_step(host));
+	assert_true(usb_host_empty(host));
+	assert_int_equal(host->completion.sequence, 104);
+}
+
+/* ---- flow ---- */
+
+static void words_may_come_and_go_in_pieces_of_any_size(void **state)
+{
+	static const uint32_t pieces[] = { 1, 2, 3, 64, 255, 1000, 65536 };
+	struct usb_host *host = *state;
+	struct usb_words first = { NULL, 0, 0 }, bursts = { NULL, 0, 0 };
+
+	for (uint32_t n = 0; n < 49; n++) {
+		start(host);
+		host->offer = pieces[n % 7];
+		host->take = pieces[n / 7];
+		host->board->engine.answers = 5;
+		add_job(host, 600, 900, 1);
+		add_job(host, 600, 0, 2);
+		add_job(host, 0, 0, 3);
+		add_job(host, 700, 6000, 4);
+		run(host);
+		if (!n) {
+			usb_words_add(&first, host->in.word, host->in.count);
+			usb_words_add(&bursts, host->burst.word, host->burst.count);
+			assert_answer(host, 900, 1);
+			assert_answer(host, 0, 2);
+			assert_answer(host, 0, 3);
+			assert_answer(host, 3500, 4);
+			assert_true(usb_host_empty(host));
+		}
+		assert_int_equal(host->in.count, first.count);
+		assert_memory_equal(host->in.word, first.word, 4 * (size_t)first.count);
+		assert_int_equal(host->burst.count, bursts.count);
+		assert_memory_equal(host->burst.word, bursts.word, 4 * (size_t)bursts.count);
+	}
+	free(first.word);
+	free(bursts.word);
+}
+
+static void in_that_is_not_read_stops_everything_and_loses_nothing(void **state)
+{
+	struct usb_host *host = *state;
+	uint32_t sent, progress;
+
+	start(host);
+	host->board->engine.answers = 100;
+	add_job(host, 8000, 800000, 1);
+	add_job(host, 8000, 800000, 2);
+	host->take = 0;
+	assert_true(usb_host_run(host));
+	sent = host->sent;
+	progress = usb_host_read(host, R(PROGRESS));
+	assert_true(sent < host->out.count);
+	assert_status(host, R(STATUS_RUNNING));
+	assert_false(usb_host_step(host));
+	assert_int_equal(usb_host_read(host, R(PROGRESS)), progress);
+	host->take = 1000;
+	run(host);
+	assert_answer(host, 800000, 1);
+	assert_answer(host, 800000, 2);
+	assert_true(usb_host_empty(host));
+}
+
+static void completions_that_are_not_read_stop_the_jobs(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	for (uint32_t n = 0; n < 2 * PORT_USB_FIFO_WORDS; n++)
+		add_job(host, 0, 0, n);
+	host->take = 0;
+	assert_true(usb_host_run(host));
+	assert_true(host->sent < host->out.count);
+	assert_int_equal(usb_host_read(host, R(JOBS)),
+			 PORT_USB_FIFO_WORDS / GLOSS_USB_COMPLETION_WORDS);
+	host->take = 1000;
+	run(host);
+	for (uint32_t n = 0; n < 2 * PORT_USB_FIFO_WORDS; n++)
+		assert_answer(host, 0, n);
+	assert_true(usb_host_empty(host));
+}
+
+/* ---- torn jobs and resets ---- */
+
+static void torn_job_leaves_nothing_to_the_next_one(void **state)
+{
+	struct usb_host *host = *state;
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 600,
+				 .response_words = 900 };
+	uint32_t words;
+
+	start(host);
+	usb_host_job(host, &job, 3, 1);
+	words = host->out.count - host->sent;
+	for (uint32_t n = 0; n < words; n++) {
+		start(host);
+		host->board->engine.answers = 7;
+		usb_host_job(host, &job, 3, 1);
+		host->out.count -= words - n;
+		run(host);
+		/* Half of it is read, by somebody who is gone. */
+		start(host);
+		assert_reset(host, NONCE);
+		usb_host_job(host, &job, 1, 2);
+		run(host);
+		assert_answer(host, 900, 2);
+		assert_true(usb_host_empty(host));
+		assert_int_equal(host->board->engine.job.slot[1].size, 0);
+		assert_int_equal(usb_host_read(host, R(JOBS)), 1);
+	}
+}
+
+static void reset_at_any_time_drops_all_there_is(void **state)
+{
+	struct usb_host *host = *state;
+	uint64_t random = test_seed();
+
+	for (uint32_t n = 0; n < 1000; n++) {
+		start(host);
+		host->offer = 1 + test_below(&random, 3000);
+		host->take = test_below(&random, 3000);
+		host->board->engine.answers = test_below(&random, 2000);
+		host->board->engine.cause = test_below(&random, 2) ? GLOSS_FAULT_NONE :
+								     GLOSS_FAULT_LENGTH;
+		for (uint32_t job = 0; job < 3; job++)
+			add_job(host, test_below(&random, 8000), test_below(&random, 100000), job);
+		for (uint32_t steps = test_below(&random, 30); steps; steps--)
+			usb_host_step(host);
+		assert_true(usb_host_reset(host, 0));
+		assert_false(usb_host_step(host));
+		assert_int_equal(host->in.count + host->event.count, 0);
+		assert_reset(host, 0);
+		host->offer = ~0u;
+		host->take = 65536;
+	}
+}
+
+static void power_on_is_a_reset(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	host->board->engine.cause = GLOSS_FAULT_VALUE;
+	add_job(host, 10, 0, 1);
+	run(host);
+	host->ops->reset(host->board);
+	assert_reset(host, 0);
+}
+
+/* ---- loss of the channel ---- */
+
+static void assert_lost(struct usb_host *host, uint32_t word)
+{
+	start(host);
+	add_job(host, 10, 3, 1);
+	usb_words_add(&host->out, &word, 1);
+	run(host);
+	assert_status(host, R(STATUS_IDLE) | R(STATUS_LOST));
+	add_job(host, 10, 3, 2);
+	usb_host_sync(host, NONCE);
+	for (uint32_t n = 0; n < 100; n++)
+		add_job(host, 1000, 0, 3);
+	run(host);
+	assert_answer(host, 3, 1);
+	assert_true(usb_host_empty(host));
+	assert_int_equal(host->event.count, GLOSS_USB_EVENT_WORDS);
+	assert_int_equal(host->event.word[0], GLOSS_USB_EVENT_MAGIC << 16 | GLOSS_USB_EVENT_LOST);
+	assert_int_equal(host->event.word[1], 0);
+	assert_int_equal(usb_host_read(host, R(JOBS)), 1);
+	start(host);
+	assert_status(host, R(STATUS_IDLE));
+	add_job(host, 10, 3, 4);
+	run(host);
+	assert_answer(host, 3, 4);
+}
+
+static void word_that_begins_no_job_loses_the_channel(void **state)
+{
+	struct usb_host *host = *state;
+
+	host->board->engine.answers = 1;
+	for (uint32_t bit = 5; bit < 32; bit++)
+		assert_lost(host, JOB_HEADER ^ 1u << bit);
+	for (uint32_t slots = GLOSS_SLOTS + 1; slots < 32; slots++)
+		assert_lost(host, JOB_HEADER | slots);
+	assert_lost(host, GLOSS_USB_SYNC_MAGIC);
+	assert_lost(host, 0);
+	assert_lost(host, ~0u);
+}
+
+static void answers_to_jobs_before_the_loss_can_still_be_read(void **state)
+{
+	static const uint32_t zero;
+	struct usb_host *host = *state;
+
+	start(host);
+	host->board->engine.answers = 10;
+	add_job(host, 100, 500, 1);
+	usb_words_add(&host->out, &zero, 1);
+	host->take = 0;
+	run(host);
+	assert_status(host, R(STATUS_IDLE) | R(STATUS_LOST));
+	host->take = 3;
+	run(host);
+	assert_answer(host, 500, 1);
+	assert_true(usb_host_empty(host));
+}
+
+/* ---- events ---- */
+
+static void event_tells_of_each_fault_and_of_no_good_job(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	for (uint32_t cause = GLOSS_FAULT_NONE; cause <= GLOSS_FAULT_MEMORY; cause++) {
+		host->board->engine.cause = (enum gloss_fault)cause;
+		host->event.count = 0;
+		add_job(host, 1, 0, 77 * cause);
+		run(host);
+		assert_int_equal(host->event.count, cause ? GLOSS_USB_EVENT_WORDS : 0);
+		if (cause) {
+			assert_int_equal(host->event.word[0], GLOSS_USB_EVENT_MAGIC << 16 | cause);
+			assert_int_equal(host->event.word[1], 77 * cause);
+		}
+	}
+}
+
+static void events_that_nobody_fetches_are_dropped_but_four(void **state)
+{
+	struct usb_host *host = *state;
+	uint32_t words[GLOSS_USB_EVENT_WORDS];
+
+	start(host);
+	host->board->engine.cause = GLOSS_FAULT_VALUE;
+	for (uint32_t n = 0; n < 7; n++)
+		add_job(host, 0, 0, 10 + n);
+	assert_int_equal(port_usb_out(&host->board->port, host->out.word + host->sent,
+				      host->out.count - host->sent), 7 * GLOSS_USB_JOB_WORDS);
+	while (port_usb_work(&host->board->port))
+		;
+	for (uint32_t n = 0; n < 4; n++) {
+		assert_true(port_usb_event(&host->board->port, words));
+		assert_int_equal(words[1], 10 + n);
+	}
+	assert_false(port_usb_event(&host->board->port, words));
+}
+
+/* ---- status ---- */
+
+static void status_follows_a_job_word_by_word(void **state)
+{
+	struct usb_host *host = *state;
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 10 };
+	uint32_t begin, slots, end;
+
+	start(host);
+	begin = host->out.count;
+	usb_host_job(host, &job, 2, 1);
+	end = host->out.count;
+	slots = begin + GLOSS_USB_JOB_WORDS + 2 * GLOSS_SLOT_ENTRY_WORDS;
+	host->offer = 1;
+	for (host->out.count = begin; host->out.count <= end; host->out.count++) {
+		run(host);
+		assert_status(host, host->sent == begin || host->sent == end ? R(STATUS_IDLE) :
+				    host->sent < slots ? 0 : R(STATUS_RUNNING));
+		if (host->sent >= slots)
+			assert_int_equal(usb_host_read(host, R(PROGRESS)), host->sent - slots);
+	}
+}
+
+#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		TEST(registers_are_zero_after_power_on),
+		TEST(registers_but_nonce_ignore_writes),
+		TEST(sync_comes_back_and_ends_a_burst),
+		TEST(sync_that_is_not_right_is_dropped),
+		TEST(sync_with_a_nonce_of_zero_is_dropped),
+		TEST(sync_is_found_behind_anything),
+		TEST(sync_waits_for_its_nonce_to_be_written),
+		TEST(jobs_without_a_sync_are_dropped),
+		TEST(job_passes_the_slots_it_has),
+		TEST(job_sees_its_stream_in_order_and_packets_as_a_whole),
+		TEST(job_of_no_words_ends),
+		TEST(packet_is_executed_when_it_is_there),
+		TEST(job_that_the_engine_refuses_is_read_to_its_end),
+		TEST(response_comes_in_chunks_that_are_full),
+		TEST(chunk_leaves_when_it_is_full),
+		TEST(completion_has_what_the_engine_says),
+		TEST(completion_comes_after_the_registers),
+		TEST(words_may_come_and_go_in_pieces_of_any_size),
+		TEST(in_that_is_not_read_stops_everything_and_loses_nothing),
+		TEST(completions_that_are_not_read_stop_the_jobs),
+		TEST(torn_job_leaves_nothing_to_the_next_one),
+		TEST(reset_at_any_time_drops_all_there_is),
+		TEST(power_on_is_a_reset),
+		TEST(word_that_begins_no_job_loses_the_channel),
+		TEST(answers_to_jobs_before_the_loss_can_still_be_read),
+		TEST(event_tells_of_each_fault_and_of_no_good_job),
+		TEST(events_that_nobody_fetches_are_dropped_but_four),
+		TEST(status_follows_a_job_word_by_word),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
