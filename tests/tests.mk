@@ -5,11 +5,11 @@
 LINT_CORES := 32-1-32 64-2-64 64-4-64 64-8-128 32-8-128
 
 .PHONY: lint-rtl lint-tidy lint-cppcheck
-lint-rtl: ## verilator -Wall on the core and on the board around it, at several parameters
+lint-rtl: ## verilator -Wall on the core and on the boards around it, at several parameters
 	$(call quiet,LINT,rtl)
 	$(Q)for core in $(LINT_CORES); do \
 		set -- $$(echo $$core | tr - ' '); \
-		for top in gloss_core board_pci; do \
+		for top in gloss_core board_pci board_usb; do \
 			verilator --lint-only -Wall -sv -Irtl --top-module $$top \
 				-GTileSize=$$1 -GPixelsPerClock=$$2 -GStreamBits=$$3 \
 				$(BOARD_SOURCES) || exit 1; \

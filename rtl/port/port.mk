@@ -1,31 +1,42 @@
 # SPDX-License-Identifier: MIT
-# The PCI port and the board of port and core: the board as a plugin of vboard-pci, and benches.
+# The ports and the boards of port and core: boards as plugins of vboard-pci and vboard-usb, and benches.
 # BOARD_CORES are the boards that `make all` builds.
 BOARD_CORES ?= t64-k8
 
 PORT_SOURCES = $(sort $(wildcard rtl/port/*.sv))
-BOARD_SOURCES = $(RTL_SOURCES) $(PORT_SOURCES) rtl/board/board_pci.sv
+BOARD_SOURCES = $(RTL_SOURCES) $(PORT_SOURCES) $(sort $(wildcard rtl/board/*.sv))
 
-BOARD_WRAPPER := $(addprefix tools/vboard/,board_rtl.cpp board_host.h board.h board.map) \
+BOARD_SIM := $(addprefix tools/vboard/,board_sim.h board.map) \
 	libaccel/sim_memory.h libaccel/sim_port.h driver/gloss_regs.h
 BOARD_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) -I$(abspath driver) \
 	-DBOARD_TILE=$(call sim_tile,$*) -DBOARD_LANES=$(call sim_lanes,$*) \
 	-DBOARD_STREAM_BITS=$(call sim_stream,$*)
 
-$(BUILD)/sim/accel-board-%.so: $(BOARD_WRAPPER) $(BOARD_SOURCES) rtl/gloss_hw.svh
+# $(1): top module, $(2): its plugin's source
+define board_plugin
 	$(call quiet,SIM,$@)
-	@mkdir -p $(@D)/board-$*
+	@mkdir -p $(@D)/$(1)-$*
 	$(Q)verilator --cc --exe --build -sv -O3 --x-assign fast --x-initial fast --noassert \
-		-Wno-lint -Wno-style -Irtl --top-module board_pci --prefix Vboard_pci \
+		-Wno-lint -Wno-style -Irtl --top-module $(1) --prefix V$(1) \
 		-GTileSize=$(call sim_tile,$*) -GPixelsPerClock=$(call sim_lanes,$*) \
-		-GStreamBits=$(call sim_stream,$*) --Mdir $(@D)/board-$* \
+		-GStreamBits=$(call sim_stream,$*) --Mdir $(@D)/$(1)-$* \
 		-MAKEFLAGS 'OPT_FAST="$(CXXFLAGS)"' -CFLAGS '$(BOARD_CXXFLAGS)' \
 		-LDFLAGS '-shared -Wl,--version-script=$(abspath tools/vboard/board.map)' \
-		$(BOARD_SOURCES) $(abspath tools/vboard/board_rtl.cpp) -o $(abspath $@) \
-		>$(@D)/board-$*/log 2>&1 || { cat $(@D)/board-$*/log; exit 1; }
+		$(BOARD_SOURCES) $(abspath tools/vboard/$(2)) -o $(abspath $@) \
+		>$(@D)/$(1)-$*/log 2>&1 || { cat $(@D)/$(1)-$*/log; exit 1; }
+endef
+
+$(BUILD)/sim/accel-board-%.so: $(BOARD_SIM) $(BOARD_SOURCES) rtl/gloss_hw.svh \
+		$(addprefix tools/vboard/,board_rtl.cpp board_host.h board.h)
+	$(call board_plugin,board_pci,board_rtl.cpp)
+
+$(BUILD)/sim/accel-usb-%.so: $(BOARD_SIM) $(BOARD_SOURCES) rtl/gloss_hw.svh \
+		$(addprefix tools/vboard/,board_usb_rtl.cpp board_usb.h)
+	$(call board_plugin,board_usb,board_usb_rtl.cpp)
 
 BOARD_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-board-%.so)
-ALL += $(BOARD_RTL_PLUGIN)
+USB_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-usb-%.so)
+ALL += $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN)
 
 # The port alone, at each width of its own; port_gate alone.
 PORT_CORES := 32-1-32 64-4-64 64-8-128

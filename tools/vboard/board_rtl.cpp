@@ -4,57 +4,23 @@
  * BOARD_TILE, BOARD_LANES and BOARD_STREAM_BITS come from the build and are the
  * parameters the board was built with.
  */
-#include <cstdio>
-#include <cstdlib>
 #include <new>
 
 #include "Vboard_pci.h"
 #include "board.h"
 #include "board_host.h"
-#include "gloss_regs.h"
-#include "sim_memory.h"
-#include "sim_port.h"
-#include "verilated.h"
+#include "board_sim.h"
 
-struct gloss_board {
+struct gloss_board : private BoardSim<Vboard_pci, BOARD_LANES> {
 public:
 	gloss_board(const gloss_board_host *host, void *memory, uint64_t size)
-		: host_(host), dma_(host), memory_(memory, size)
+		: BoardSim(memory, size), host_(host), dma_(host)
 	{
-		board_.memory_pages_i = size / GLOSS_PAGE_BYTES;
 		reset();
 	}
 
-	void reset()
-	{
-		board_.rst_ni = 0;
-		board_.reg_valid_i = 0;
-		board_.host_rvalid_i = board_.host_bvalid_i = 0;
-		board_.axi_rvalid_i = board_.axi_bvalid_i = 0;
-		for (unsigned i = 0; i < ResetClocks; i++)
-			edge();
-		board_.rst_ni = 1;
-		dma_.reset();
-		memory_.reset();
-		while (access(false, GLOSS_REG_CONTROL, 0) & GLOSS_REG_CONTROL_RESET)
-			;
-	}
-
-	/* Clocks the board until it has answered: 0 for a write. */
-	uint32_t access(bool write, uint32_t offset, uint32_t value)
-	{
-		uint32_t answer = Nobody;
-
-		board_.reg_valid_i = 1;
-		board_.reg_write_i = write;
-		board_.reg_addr_i = offset;
-		board_.reg_wdata_i = value;
-		for (unsigned i = 0; i < AccessClocks; i++)
-			if (clock(&answer))
-				break;
-		board_.reg_valid_i = 0;
-		return answer;
-	}
+	using BoardSim::access;
+	using BoardSim::reset;
 
 	bool work()
 	{
@@ -68,51 +34,24 @@ public:
 	}
 
 private:
-	static constexpr unsigned ResetClocks = 4;
-	static constexpr unsigned AccessClocks = 16;
-	static constexpr unsigned SliceClocks = 64, WorkSlices = 4;
-	static constexpr uint32_t Nobody = ~0u; /* what a bus reads that nobody answers on */
-
 	/* Nothing will change any more until a register is written. */
 	bool idle()
 	{
 		const uint32_t still = GLOSS_REG_STATUS_IDLE | GLOSS_REG_STATUS_DMA_ERROR;
 
-		return !(access(false, GLOSS_REG_CONTROL, 0) & GLOSS_REG_CONTROL_RESET) &&
-		       (access(false, GLOSS_REG_STATUS, 0) & still);
+		return !resetting() && (access(false, GLOSS_REG_STATUS, 0) & still);
 	}
 
-	void edge()
+	void still() override
 	{
-		board_.clk_i = 0;
-		board_.eval();
-		board_.clk_i = 1;
-		board_.eval();
+		board_.host_rvalid_i = board_.host_bvalid_i = 0;
+		dma_.reset();
 	}
 
-	/* One clock; true, and the answer, if a register access ends with it. */
-	bool clock(uint32_t *answer = nullptr)
-	{
-		const char *violation = nullptr;
+	void drive() override { dma_.drive(board_); }
+	void sample(bool) override { dma_.sample(board_); }
 
-		dma_.drive(board_);
-		memory_.drive(board_, stalls_);
-		board_.clk_i = 0;
-		board_.eval();
-		dma_.sample(board_);
-		memory_.sample(board_, stalls_, violation);
-		if (violation)
-			die(violation);
-		bool ready = board_.reg_valid_i && board_.reg_ready_o;
-		if (ready && answer)
-			*answer = board_.reg_rdata_o;
-		board_.clk_i = 1;
-		board_.eval();
-		interrupt();
-		return ready;
-	}
-
-	void interrupt()
+	void notice() override
 	{
 		if (board_.irq_o != level_) {
 			level_ = board_.irq_o;
@@ -122,19 +61,8 @@ private:
 			host_->event(host_->data);
 	}
 
-	/* A bug of the RTL; whatever comes after it proves nothing. */
-	[[noreturn]] static void die(const char *violation)
-	{
-		std::fprintf(stderr, "board_pci breaks a rule of AXI: %s\n", violation);
-		std::abort();
-	}
-
 	const gloss_board_host *host_;
-	VerilatedContext context_;
-	Vboard_pci board_{ &context_ };
 	BoardHost<Vboard_pci, BOARD_STREAM_BITS> dma_;
-	SimMemory<Vboard_pci, BOARD_LANES> memory_;
-	SimStalls stalls_{ 0 };
 	bool level_ = false;
 };
 

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// The OUT channel: a usb_sync is looked for, then jobs are taken apart: their slots, those not sent as empty ones, and
+// their stream go to the core. A word that no job begins with ends that; what comes behind it is dropped.
+//
+// A window of the last four words is all there is of a message. A usb_sync is seen in it, an entry of a slot table is
+// written from it, and its newest words are the beat for the core: 32-bit words in, beats of StreamBits out, a word a
+// clock. What a stream's last beat has behind its words is whatever pads it.
+module port_usb_out #(
+  parameter int unsigned StreamBits = 32
+) (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+
+  input  logic                  word_valid_i,
+  output logic                  word_ready_o,
+  input  logic [31:0]           word_i,
+
+  // registers
+  input  logic [31:0]           nonce_i,
+  output logic                  idle_o,
+  output logic                  running_o,
+  output logic                  lost_o,
+  output logic                  lost_event_o,
+  output logic [2:0]            taken_o,        // words of the stream the core takes in this clock
+
+  // to port_usb_in
+  output logic                  echo_o,
+  output gloss_pkg::usb_sync_t  sync_o,
+  input  logic                  echoed_i,
+  output logic [31:0]           sequence_o,
+  input  logic                  completed_i,
+
+  // core
+  output logic                  slot_write_o,
+  output logic [3:0]            slot_index_o,
+  output logic [31:0]           slot_base_o,
+  output logic [31:0]           slot_size_o,
+  output logic [1:0]            slot_rights_o,
+  output logic                  job_valid_o,
+  input  logic                  job_ready_i,
+  output logic [31:0]           job_stream_words_o,
+  output logic [31:0]           job_response_words_o,
+  output logic                  stream_valid_o,
+  input  logic                  stream_ready_i,
+  output logic [StreamBits-1:0] stream_data_o
+);
+
+  localparam int unsigned Lanes = StreamBits / 32;
+
+  typedef enum logic [2:0] {Search, Echo, Rest, Head, Slots, Start, Run, Lost} state_e;
+
+  state_e state_d, state_q;
+  logic take, shift;
+
+  logic [127:0] window_q;
+  logic [1:0] place_q, lane;    // where the next word of a message, of a beat is
+  logic fourth;
+
+  logic fresh_q;                // the newest word has just come
+  logic synchronised;
+
+  // Only its first word is seen as such.
+  // verilator lint_off UNUSEDSIGNAL
+  gloss_pkg::usb_job_t head;
+  // verilator lint_on UNUSEDSIGNAL
+  logic head_right;
+  logic [4:0] slots_q, index_q;
+  logic slot_sent, slot_next, slot_write_q, slot_sent_q;
+  // verilator lint_off UNUSEDSIGNAL
+  gloss_pkg::slot_entry_t entry;
+  // verilator lint_on UNUSEDSIGNAL
+
+  logic [31:0] sequence_q, room_q;
+  logic [31:0] left_q;          // of the stream, not in the window
+  logic pad, move, beat_ends, beat_q;
+  logic [2:0] words_q;          // of the stream that are in the beat
+
+  assign shift = take || pad;
+  assign take = word_valid_i && word_ready_o;
+  assign fourth = take && place_q == '1;
+
+  // ---- usb_sync ----
+  assign sync_o = window_q;
+  assign synchronised = fresh_q && nonce_i != '0 &&
+                        window_q == {~gloss_pkg::UsbSyncMagic, ~nonce_i, nonce_i, gloss_pkg::UsbSyncMagic};
+  assign echo_o = state_q == Echo;
+
+  // ---- usb_job ----
+  assign head = {96'd0, word_i};
+  assign head_right = {8'd0, head.mark} == gloss_pkg::UsbJobMagic && head.reserved_0 == '0 &&
+                      head.slots <= 5'(gloss_pkg::Slots);
+  assign sequence_o = sequence_q;
+
+  // ---- slots ----
+  assign slot_sent = index_q < slots_q;
+  assign slot_next = state_q == Slots && (!slot_sent || fourth);
+  assign entry = window_q;
+  assign slot_write_o = slot_write_q;
+  assign slot_index_o = 4'(index_q - 1'b1);
+  // Nothing of a base's low bits reaches the core: the bursts of its memory port rely on it.
+  assign slot_base_o = slot_sent_q ? {entry.base[31:12], 12'd0} : '0;
+  assign slot_size_o = slot_sent_q ? entry.size : '0;
+  assign slot_rights_o = slot_sent_q ? entry.rights : gloss_pkg::RIGHTS_NONE;
+
+  // ---- stream ----
+  assign job_valid_o = state_q == Start && !slot_write_q; // the last slot is written in Start
+  assign job_stream_words_o = left_q;
+  assign job_response_words_o = room_q;
+  assign lane = place_q & 2'(Lanes - 1);
+  assign move = state_q == Run && (!beat_q || stream_ready_i);
+  assign pad = move && left_q == '0 && lane != '0;
+  assign beat_ends = lane == 2'(Lanes - 1);
+  assign stream_valid_o = beat_q;
+  assign stream_data_o = window_q[127 -: StreamBits];
+  assign taken_o = beat_q && stream_ready_i ? words_q : '0;
+
+  assign idle_o = (state_q == Search || state_q == Rest || state_q == Lost) && !word_valid_i;
+  assign running_o = state_q == Run;
+  assign lost_o = state_q == Lost;
+  assign lost_event_o = state_q == Rest && state_d == Lost;
+
+  always_comb begin
+    state_d = state_q;
+    word_ready_o = 1'b0;
+    unique case (state_q)
+      Search: begin
+        word_ready_o = !synchronised;
+        if (synchronised) state_d = Echo;
+      end
+      Echo: if (echoed_i) state_d = Rest;
+      Rest: begin
+        word_ready_o = 1'b1;
+        if (word_valid_i) state_d = head_right ? Head : Lost;
+      end
+      Head: begin
+        word_ready_o = 1'b1;
+        if (fourth) state_d = Slots;
+      end
+      Slots: begin
+        word_ready_o = slot_sent;
+        if (slot_next && index_q == 5'(gloss_pkg::Slots - 1)) state_d = Start;
+      end
+      Start: if (job_valid_o && job_ready_i) state_d = Run;
+      Run: begin
+        word_ready_o = move && left_q != '0;
+        if (completed_i) state_d = Rest;
+      end
+      Lost: word_ready_o = 1'b1;
+      default: state_d = Search;
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (state_q == Rest) slots_q <= head.slots;
+    if (state_q == Head && fourth) begin
+      sequence_q <= window_q[95:64];
+      room_q <= word_i;
+    end
+    if (state_q == Head && fourth) left_q <= window_q[127:96];
+    else if (state_q == Run && take) left_q <= left_q - 1'b1;
+    if (shift) words_q <= (lane == '0 ? '0 : words_q) + 3'(take);
+    slot_sent_q <= slot_sent;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Search;
+      window_q <= '0;
+      fresh_q <= 1'b0;
+      place_q <= '0;
+      index_q <= '0;
+      slot_write_q <= 1'b0;
+      beat_q <= 1'b0;
+    end else begin
+      state_q <= state_d;
+      if (shift) window_q <= {word_i, window_q[127:32]};
+      fresh_q <= take;
+      if (state_d == Rest) place_q <= '0;
+      else if (shift) place_q <= place_q + 1'b1;
+      if (state_q == Head) index_q <= '0;
+      else if (slot_next) index_q <= index_q + 1'b1;
+      slot_write_q <= slot_next;
+      if (state_q == Run && shift) beat_q <= beat_ends;
+      else if (stream_ready_i) beat_q <= 1'b0;
+    end
+  end
+
+endmodule
