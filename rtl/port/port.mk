@@ -40,7 +40,8 @@ ALL += $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN)
 
 # The port alone, at each width of its own; port_gate alone.
 PORT_CORES := 32-1-32 64-4-64 64-8-128
-PORT_TB := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h port_core.h tb.h)
+PORT_TB := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h \
+	port_access.h port_core.h tb.h)
 PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
 	ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
 

@@ -9,6 +9,7 @@
 #include "Vport_pci.h"
 #include "gloss_packets.h"
 #include "gloss_regs.h"
+#include "port_access.h"
 #include "port_core.h"
 #include "port_host.h"
 
@@ -31,14 +32,9 @@ struct PortJob {
 	}
 };
 
-class PortBench : public Bench<Vport_pci> {
+class PortBench : public PortAccess<Vport_pci> {
 public:
-	explicit PortBench(uint64_t seed) : random(seed), host(random), core(random)
-	{
-		top.memory_pages_i = 0x12345;
-		top.reg_valid_i = 0;
-		kind();
-	}
+	explicit PortBench(uint64_t seed) : PortAccess(seed), host(random), core(random) { kind(); }
 
 	/* Nothing stalls. */
 	void kind(int latency = 20)
@@ -52,9 +48,6 @@ public:
 		host.unkind();
 		core.stalls = true;
 	}
-
-	uint32_t read(uint32_t offset) { return access(false, offset, 0); }
-	void write(uint32_t offset, uint32_t value) { access(true, offset, value); }
 
 	/* Resets the port, as a driver does, and forgets all jobs. Returns how long that took. */
 	uint64_t reset_port()
@@ -200,16 +193,17 @@ public:
 			TB_CHECK(clocks - start < 300000, "a refused access is not told");
 	}
 
-	void clock()
+	using PortAccess::clock;
+
+	void clock() override
 	{
 		host.drive(top, clocks);
 		core.drive(top);
-		drive_memory();
+		drive_access();
 		settle();
 		if (top.irq_event_o)
 			message();
-		access_done = top.reg_valid_i && top.reg_ready_o;
-		access_answer = top.reg_rdata_o;
+		sample_access();
 		host.sample(top, clocks);
 		core.sample(top);
 		tick();
@@ -230,7 +224,6 @@ public:
 		return at;
 	}
 
-	Random random;
 	PortHost<Vport_pci> host;
 	PortCore<Vport_pci> core;
 	std::deque<PortJob> jobs;		/* submitted and not ended */
@@ -238,39 +231,8 @@ public:
 	uint32_t entries = 1, tail = 0, head = 0;
 	uint32_t progress = 0, finished = 0;	/* as the registers must have it */
 	uint64_t time[6] = {}, message_clock = 0;
-	uint64_t access_clock = 0;		/* in which the last one acted */
 
 private:
-	uint32_t access(bool write, uint32_t offset, uint32_t value)
-	{
-		top.reg_valid_i = 1;
-		top.reg_write_i = write;
-		top.reg_addr_i = offset;
-		top.reg_wdata_i = value;
-		access_done = false;
-		for (int n = 0; !access_done; n++) {
-			TB_CHECK(n < 4, "a register does not answer");
-			clock();
-		}
-		top.reg_valid_i = 0;
-		access_clock = clocks - 1;
-		return access_answer;
-	}
-
-	/* The gate before board memory stops when it likes, and is idle some time after. */
-	void drive_memory()
-	{
-		if (!top.memory_stop_o)
-			memory_wait = random.below(30);
-		else if (memory_wait > 0)
-			memory_wait--;
-		top.memory_stopped_i = top.memory_stop_o && memory_wait < 15;
-		top.memory_idle_i = memory_wait == 0 || !top.memory_stop_o;
-		TB_CHECK(top.core_rst_no || !was_running || memory_wait < 15,
-			 "the core is reset before its memory has stopped");
-		was_running = top.core_rst_no;
-	}
-
 	/* At this clock the job at the head has ended, with all its effects. */
 	void message()
 	{
@@ -357,9 +319,6 @@ private:
 
 	std::map<uint32_t, PortJob> last;	/* by entry */
 	std::vector<uint64_t> placed;
-	bool access_done = false, was_running = false;
-	uint32_t access_answer = 0;
-	int memory_wait = 0;
 };
 
 #endif

@@ -49,13 +49,15 @@ public:
 		if (response_offered && response_count == 0)
 			drive_response(top);
 		top.response_count_i = response_count;
+		bool fresh = !status_offered;
 		status_offered = status_offered || (finished() && !hold(status_stall));
 		top.status_valid_i = status_offered;
 		tb_set(top.status_i, 0, 4, answer.cause);
 		tb_set(top.status_i, 32, 32, answer.offset);
 		tb_set(top.status_i, 64, 32, answered);
+		/* The clock in which it comes is counted, too. */
 		for (int n = 0; n < 6; n++)
-			tb_set(top.time_i, 32 * n, 32, answer.time[n]);
+			tb_set(top.time_i, 32 * n, 32, answer.time[n] - (n == 0 && fresh));
 	}
 
 	void sample(Top &top)
