@@ -7,17 +7,13 @@
  *
  * test_boards [-n ROUNDS] PLUGIN: the board of the plugin and that of the C model
  */
-#include <dlfcn.h>
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
+#include "pair.h"
 #include "port_host.h"
-#include "stream_random.h"
 
 #define BATCHES 3
 #define JOBS 4
@@ -39,14 +35,11 @@ static const char *const kind_names[KINDS] = { "plain", "late", "paused", "poiso
 					       "reset", "wild" };
 
 struct test {
-	const char *plugin;
+	struct pair pair;			/* first: a pair is the test */
 	const struct gloss_board_ops *ops[2];	/* the model's, the plugin's */
 	struct port_host host[2];
-	uint8_t *memory[2];
-	uint64_t seed, random;			/* of the round */
 	bool started;
 
-	struct stream_random stream;
 	struct gloss_job_descriptor job[JOBS];	/* of the batch */
 	struct gloss_job_descriptor made[JOBS];	/* before they were made wild */
 	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
@@ -58,21 +51,10 @@ struct test {
 
 static uint32_t below(struct test *test, uint32_t n)
 {
-	return (uint32_t)(port_host_random(&test->random) % n);
+	return pair_below(&test->pair, n);
 }
 
-static int __attribute__((format(printf, 2, 3)))
-differ(const struct test *test, const char *format, ...)
-{
-	va_list arguments;
-
-	fprintf(stderr, "test_boards: %s: ", test->plugin);
-	va_start(arguments, format);
-	vfprintf(stderr, format, arguments);
-	va_end(arguments);
-	fprintf(stderr, "; repeat with GLOSS_SEED=%" PRIu64 " -n 1\n", test->seed);
-	return 1;
-}
+#define differ(test, ...) pair_differ(&(test)->pair, __VA_ARGS__)
 
 /* ---- comparing ---- */
 
@@ -108,26 +90,10 @@ static int compare_registers(struct test *test, bool stopped)
 	return 0;
 }
 
-static int compare_bytes(const struct test *test, const char *what, const uint8_t *model,
-			 const uint8_t *other, uint32_t bytes)
-{
-	for (uint32_t n = 0; n < bytes; n++)
-		if (model[n] != other[n])
-			return differ(test, "%s differs at byte 0x%x: 0x%02x, the model's 0x%02x",
-				      what, n, other[n], model[n]);
-	return 0;
-}
-
 static int compare_host(const struct test *test)
 {
-	return compare_bytes(test, "host memory", test->host[0].memory, test->host[1].memory,
-			     PORT_HOST_BYTES);
-}
-
-static int compare_board(const struct test *test)
-{
-	return compare_bytes(test, "board memory", test->memory[0], test->memory[1],
-			     STREAM_RANDOM_MEMORY);
+	return pair_compare_bytes(&test->pair, "host memory", test->host[0].memory,
+				  test->host[1].memory, PORT_HOST_BYTES);
 }
 
 /* Makes what the boards may have left different the same. */
@@ -145,14 +111,6 @@ static void forgive_response(struct test *test, const struct gloss_job_descripto
 	for (uint64_t word = 0; word < d->response_words; word += PAGE_WORDS)
 		forgive_host(test, port_host_word(&test->host[0], list, (uint32_t)word),
 			     GLOSS_PAGE_BYTES);
-}
-
-static void forgive_slots(struct test *test, const struct gloss_slot *slot)
-{
-	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
-		if (slot[n].rights & GLOSS_RIGHTS_WRITE)
-			memcpy(test->memory[1] + slot[n].base, test->memory[0] + slot[n].base,
-			       slot[n].size);
 }
 
 /* ---- jobs ---- */
@@ -175,34 +133,12 @@ static void dirty_list(struct test *test, uint32_t *low, uint32_t high, uint32_t
 	*low |= below(test, 8);
 }
 
-/* Too little room, a stream that ends too early, either of them at the border of half a page. */
-static void cut_words(struct test *test, struct gloss_job *job)
-{
-	switch (below(test, 8)) {
-	case 0:
-		job->response_words = below(test, job->response_words + 1);
-		break;
-	case 1:
-		job->stream_words = below(test, job->stream_words + 1);
-		break;
-	case 2:
-		job->response_words -= job->response_words % (PAGE_WORDS / 2);
-		break;
-	case 3:
-		job->stream_words -= job->stream_words % (PAGE_WORDS / 2);
-		break;
-	}
-}
-
 static void make_job(struct test *test, uint32_t n)
 {
-	struct stream_random *stream = &test->stream;
+	struct stream_random *stream = &test->pair.stream;
 	struct gloss_job_descriptor *d = &test->job[n];
 
-	stream_random_valid(stream, port_host_random(&test->random), (int)test->ops[0]->tile_size);
-	if (below(test, 4) == 0)
-		stream_random_damage(stream);
-	cut_words(test, &stream->job);
+	pair_make_job(&test->pair, test->ops[0]->tile_size);
 	memcpy(test->slot[n], stream->job.slot, sizeof(test->slot[n]));
 	for (uint32_t side = 0; side < 2; side++)
 		*d = port_host_describe(&test->host[side], &stream->job, test->sequence);
@@ -228,7 +164,7 @@ static void make_wild(struct test *test, struct gloss_job_descriptor *d)
 		for (uint32_t n = 0; n < GLOSS_SLOTS * GLOSS_SLOT_ENTRY_WORDS; n++) {
 			uint64_t table = (uint64_t)d->slot_table_high << 32 |
 					 (d->slot_table_low & ~63u);
-			uint32_t word = (uint32_t)port_host_random(&test->random);
+			uint32_t word = (uint32_t)port_host_random(&test->pair.random);
 
 			for (uint32_t side = 0; side < 2; side++)
 				port_host_set(&test->host[side], table + 4 * n, word);
@@ -238,7 +174,7 @@ static void make_wild(struct test *test, struct gloss_job_descriptor *d)
 		gloss_job_descriptor_pack(words, d);
 		for (uint32_t n = 1; n < GLOSS_JOB_DESCRIPTOR_WORDS; n++)
 			if (below(test, 2))
-				words[n] = (uint32_t)port_host_random(&test->random);
+				words[n] = (uint32_t)port_host_random(&test->pair.random);
 		gloss_job_descriptor_unpack(words, d);
 	}
 }
@@ -426,8 +362,8 @@ static int check_poisoned(struct test *test)
 	if (compare_registers(test, true) || check_stopped(test, &test->host[0]) || reset(test))
 		return 1;
 	forgive_response(test, &test->job[n]);
-	forgive_slots(test, test->slot[n]);
-	return compare_host(test) || compare_board(test);
+	pair_forgive_slots(&test->pair, test->slot[n]);
+	return compare_host(test) || pair_compare_memory(&test->pair);
 }
 
 /* Each board was torn away from the batch at another job; both had ended @ended of them. */
@@ -439,7 +375,7 @@ static int check_torn(struct test *test, uint32_t ended)
 		forgive_response(test, &test->made[n]);
 		forgive_host(test, entry_address(test, test->host[0].completion, 16, n), 16);
 	}
-	memcpy(test->memory[1], test->memory[0], STREAM_RANDOM_MEMORY);
+	memcpy(test->pair.memory[1], test->pair.memory[0], STREAM_RANDOM_MEMORY);
 	return compare_host(test);
 }
 
@@ -469,7 +405,7 @@ static int check(struct test *test, enum kind kind)
 		return check_refused(test, kind);
 	if (stopped)
 		return check_poisoned(test);
-	if (compare_registers(test, false) || compare_host(test) || compare_board(test))
+	if (compare_registers(test, false) || compare_host(test) || pair_compare_memory(&test->pair))
 		return 1;
 	test->ended += test->jobs;
 	test->first += test->jobs;
@@ -489,16 +425,15 @@ static int run_batch(struct test *test)
 	return run_side(test, kind, 0) || run_side(test, kind, 1) || check(test, kind);
 }
 
-static int run_round(struct test *test)
+static int run_round(struct pair *pair)
 {
+	struct test *test = (struct test *)pair;
 	int failed = 0;
 
-	test->random = test->seed;
 	test->started = false;
 	for (uint32_t side = 0; side < 2; side++) {
-		stream_random_memory(test->memory[side], STREAM_RANDOM_MEMORY, test->seed);
-		if (!port_host_init(&test->host[side], test->ops[side], test->memory[side],
-				    STREAM_RANDOM_MEMORY, test->seed)) {
+		if (!port_host_init(&test->host[side], test->ops[side], pair->memory[side],
+				    STREAM_RANDOM_MEMORY, pair->seed)) {
 			fprintf(stderr, "test_boards: out of memory\n");
 			exit(1);
 		}
@@ -510,27 +445,20 @@ static int run_round(struct test *test)
 	return failed;
 }
 
-static int load(struct test *test)
+static bool load(struct pair *pair, const void *symbol)
 {
-	void *plugin = dlopen(test->plugin, RTLD_NOW | RTLD_LOCAL);
+	struct test *test = (struct test *)pair;
+	const struct gloss_board_ops *ops = symbol;
 
-	if (!plugin) {
-		fprintf(stderr, "test_boards: %s\n", dlerror());
-		return 1;
-	}
-	test->ops[1] = dlsym(plugin, GLOSS_BOARD_SYMBOL);
-	if (!test->ops[1] || test->ops[1]->abi != GLOSS_BOARD_ABI ||
-	    test->ops[1]->version != GLOSS_VERSION) {
-		fprintf(stderr, "test_boards: %s is no board of this tree\n", test->plugin);
-		return 1;
-	}
-	test->ops[0] = test->ops[1]->tile_size == 32 ? &gloss_board_model_t32 :
-						       &gloss_board_model_t64;
-	return 0;
+	test->ops[1] = ops;
+	test->ops[0] = ops->tile_size == 32 ? &gloss_board_model_t32 : &gloss_board_model_t64;
+	return ops->abi == GLOSS_BOARD_ABI && ops->version == GLOSS_VERSION;
 }
 
-static void report(const struct test *test, uint64_t rounds)
+static void report(const struct pair *pair, uint64_t rounds)
 {
+	const struct test *test = (const struct test *)pair;
+
 	printf("test_boards: T=%u K=%u: %" PRIu64 " rounds, %" PRIu64 " jobs compared, %" PRIu64
 	       " DMA errors; batches", test->ops[1]->tile_size, test->ops[1]->pixels_per_clock,
 	       rounds, test->ended, test->errors);
@@ -541,33 +469,14 @@ static void report(const struct test *test, uint64_t rounds)
 
 int main(int argc, char **argv)
 {
+	static const struct pair_test boards = {
+		.program = "test_boards",
+		.symbol = GLOSS_BOARD_SYMBOL,
+		.load = load,
+		.round = run_round,
+		.report = report,
+	};
 	static struct test test;
-	const char *given = getenv("GLOSS_SEED");
-	uint64_t seed = given && *given ? strtoull(given, NULL, 0) : (uint64_t)time(NULL);
-	uint64_t rounds = 100;
-	int option, failed = 0;
 
-	while ((option = getopt(argc, argv, "n:")) >= 0) {
-		if (option != 'n')
-			return 2;
-		rounds = strtoull(optarg, NULL, 0);
-	}
-	if (optind + 1 != argc) {
-		fprintf(stderr, "usage: test_boards [-n ROUNDS] PLUGIN\n");
-		return 2;
-	}
-	test.plugin = argv[optind];
-	test.memory[0] = malloc(STREAM_RANDOM_MEMORY);
-	test.memory[1] = malloc(STREAM_RANDOM_MEMORY);
-	if (load(&test) || !test.memory[0] || !test.memory[1])
-		return 1;
-	printf("GLOSS_SEED=%" PRIu64 "\n", seed);
-	for (uint64_t n = 0; n < rounds && !failed; n++) {
-		test.seed = seed + n;
-		failed = run_round(&test);
-	}
-	report(&test, rounds);
-	free(test.memory[0]);
-	free(test.memory[1]);
-	return failed;
+	return pair_main(&test.pair, &boards, argc, argv);
 }

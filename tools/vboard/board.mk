@@ -19,13 +19,15 @@ $(BOARD_OBJECTS): $(BUILD)/%.o: %.c
 PORT_HOST_OBJ := $(BUILD)/tests/port/port_host.o
 USB_HOST_OBJ := $(BUILD)/tests/port/usb_host.o
 FAKE_ENGINE_OBJ := $(BUILD)/tests/port/fake_engine.o
+PAIR_OBJ := $(BUILD)/tests/port/pair.o
 PORT_TEST_OBJS := $(PORT_HOST_OBJ) $(USB_HOST_OBJ) $(FAKE_ENGINE_OBJ)
-$(PORT_TEST_OBJS): $(BUILD)/%.o: %.c
+$(PAIR_OBJ) $(PORT_TEST_OBJS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard -Itests/stream $(CFLAGS) -MMD -MP \
+		-c $< -o $@
 
--include $(PORT_TEST_OBJS:.o=.d)
+-include $(PAIR_OBJ:.o=.d) $(PORT_TEST_OBJS:.o=.d)
 
 BOARD_UNIT_TESTS := test_port_pci test_port_usb test_board_model test_board_usb_model
 
@@ -39,22 +41,33 @@ $(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%
 UNIT_TESTS += $(BOARD_UNIT_TESTS)
 SANITIZED_TESTS += $(BOARD_UNIT_TESTS)
 
-# The board of the models against Verilated ones, one of each width of the port. A round has three
-# batches of up to four jobs.
+# The boards of the models against Verilated ones: of PCI one of each width of the port. A round has
+# three batches of up to four jobs.
 PORT_ROUNDS ?= 250
 PORT_TEST_BOARDS := $(addprefix $(BUILD)/sim/accel-board-,t32-k1.so t64-k2.so t64-k8.so)
+USB_ROUNDS ?= 130
+USB_TEST_BOARDS := $(addprefix $(BUILD)/sim/accel-usb-,t32-k1.so t64-k2.so)
 
-$(BUILD)/tests/port/test_boards: tests/port/test_boards.c $(PORT_HOST_OBJ) \
-		$(BOARD_MODEL_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
+$(BUILD)/tests/port/test_boards: $(PORT_HOST_OBJ) $(BOARD_MODEL_OBJECTS)
+$(BUILD)/tests/port/test_usb_boards: $(PORT_HOST_OBJ) $(USB_HOST_OBJ) $(BOARD_USB_MODEL_OBJECTS)
+
+BOARD_TESTS := $(addprefix $(BUILD)/tests/port/,test_boards test_usb_boards)
+
+$(BOARD_TESTS): $(BUILD)/%: %.c $(PAIR_OBJ) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard -Itests/stream $(CFLAGS) -MMD -MP \
 		-MF $@.d $(filter-out %.h,$^) -ldl -o $@
 
--include $(BUILD)/tests/port/test_boards.d
+-include $(BOARD_TESTS:=.d)
 
-.PHONY: check-port
-check-port: $(BUILD)/tests/port/test_boards $(PORT_TEST_BOARDS) ## the PCI port: model against RTL
+.PHONY: check-port check-port-pci check-port-usb
+check-port: check-port-pci check-port-usb ## the ports: models against RTL
+
+check-port-pci: $(BUILD)/tests/port/test_boards $(PORT_TEST_BOARDS)
 	$(Q)for board in $(PORT_TEST_BOARDS); do $< -n $(PORT_ROUNDS) $$board || exit 1; done
+
+check-port-usb: $(BUILD)/tests/port/test_usb_boards $(USB_TEST_BOARDS)
+	$(Q)for board in $(USB_TEST_BOARDS); do $< -n $(USB_ROUNDS) $$board || exit 1; done
 
 CHECKS += check-port

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: MIT
+/*
+ * Two boards behind board_usb.h with the same OUT words, in pieces of their own: the same
+ * words come on IN, with bursts that end at the same, the same events, and when nothing
+ * moves any more, all registers and all of board memory are the same. So they are when the
+ * host stops in the middle of a job, as far as rtl/gloss.xml says, when the channel is lost,
+ * and after a reset in the middle of anything.
+ *
+ * test_usb_boards [-n ROUNDS] PLUGIN: the board of the plugin and that of the C model
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "pair.h"
+#include "usb_host.h"
+
+#define BATCHES 3
+#define JOBS 4					/* with a loss as many events as may wait */
+
+/* What happens to a batch of jobs. */
+enum kind {
+	PLAIN,
+	FULL,		/* IN is not read for a while */
+	TORN,		/* the host stops at some word */
+	LOST,		/* no job begins with the word behind them */
+	HEAD,		/* a bit of a job's length, room or sequence is wrong */
+	RESET,		/* at some time, another one on each board */
+	WILD,		/* a bit of anything is wrong */
+	KINDS
+};
+
+static const char *const kind_names[KINDS] = { "plain", "full", "torn", "lost", "head", "reset",
+					       "wild" };
+
+struct test {
+	struct pair pair;			/* first: a pair is the test */
+	const struct gloss_usb_board_ops *ops[2];	/* the model's, the plugin's */
+	struct usb_host host[2];
+	bool synchronised;
+	uint32_t nonce, sequence;
+	struct usb_words stale;			/* words of before the reset that come after it */
+
+	/* The batch. */
+	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
+	uint32_t head[JOBS];			/* where each begins in OUT */
+	uint32_t jobs;
+
+	/* A stream has stopped, and the plugin's core takes several words at once, or none. */
+	bool short_of_words;
+
+	uint64_t batches[KINDS], words;
+};
+
+static uint32_t below(struct test *test, uint32_t n)
+{
+	return pair_below(&test->pair, n);
+}
+
+#define differ(test, ...) pair_differ(&(test)->pair, __VA_ARGS__)
+
+/* ---- comparing ---- */
+
+static bool comparable(const struct test *test, uint32_t offset)
+{
+	if (offset == GLOSS_REG_CAPABILITIES ||
+	    (offset >= GLOSS_REG_CLOCKS_LOW && offset <= GLOSS_REG_STALL_RESPONSE))
+		return false;
+	return !test->short_of_words || offset != GLOSS_REG_PROGRESS;
+}
+
+static int compare_registers(struct test *test)
+{
+	for (uint32_t offset = 0; offset <= 0x100; offset += 4) {
+		uint32_t model = usb_host_read(&test->host[0], offset);
+		uint32_t other = usb_host_read(&test->host[1], offset);
+
+		if (model != other && comparable(test, offset))
+			return differ(test, "register 0x%03x is 0x%08x, the model's 0x%08x", offset,
+				      other, model);
+	}
+	return 0;
+}
+
+/* Is what one board gave the same as far as the other came? */
+static int compare_words(struct test *test, const char *what, const struct usb_words *model,
+			 const struct usb_words *other)
+{
+	uint32_t count = model->count < other->count ? model->count : other->count;
+
+	for (uint32_t n = 0; n < count; n++)
+		if (model->word[n] != other->word[n])
+			return differ(test, "%s %u is 0x%08x, the model's 0x%08x", what, n,
+				      other->word[n], model->word[n]);
+	return 0;
+}
+
+static int compare_begun(struct test *test)
+{
+	struct usb_host *model = &test->host[0], *other = &test->host[1];
+
+	return compare_words(test, "IN word", &model->in, &other->in) ||
+	       compare_words(test, "end of burst", &model->burst, &other->burst) ||
+	       compare_words(test, "word of events", &model->event, &other->event);
+}
+
+static int compare_count(struct test *test, const char *what, uint32_t model, uint32_t other)
+{
+	if (model != other)
+		return differ(test, "%u %s, the model's are %u", other, what, model);
+	return 0;
+}
+
+static int compare_channels(struct test *test)
+{
+	struct usb_host *model = &test->host[0], *other = &test->host[1];
+
+	if (compare_begun(test) ||
+	    compare_count(test, "OUT words taken", model->sent, other->sent))
+		return 1;
+	if (test->short_of_words)
+		return 0;
+	return compare_count(test, "IN words", model->in.count, other->in.count) ||
+	       compare_count(test, "bursts", model->burst.count, other->burst.count) ||
+	       compare_count(test, "words of events", model->event.count, other->event.count);
+}
+
+/* ---- words of OUT ---- */
+
+static void add_words(struct test *test, const uint32_t *words, uint32_t count)
+{
+	for (uint32_t side = 0; side < 2; side++)
+		usb_words_add(&test->host[side].out, words, count);
+}
+
+static void flip(struct test *test, uint32_t word)
+{
+	uint32_t bit = 1u << below(test, 32);
+
+	for (uint32_t side = 0; side < 2; side++)
+		test->host[side].out.word[word] ^= bit;
+}
+
+static void make_job(struct test *test, uint32_t n)
+{
+	const struct gloss_job *job = &test->pair.stream.job;
+	uint32_t slots = GLOSS_SLOTS;
+
+	pair_make_job(&test->pair, test->ops[0]->tile_size);
+	/* Slots that are not sent are empty. */
+	while (slots && !job->slot[slots - 1].size)
+		slots--;
+	if (below(test, 8) == 0)
+		slots = below(test, slots + 1);
+	memset(test->slot[n], 0, sizeof(test->slot[n]));
+	memcpy(test->slot[n], job->slot, slots * sizeof(job->slot[0]));
+	test->head[n] = test->host[0].out.count;
+	for (uint32_t side = 0; side < 2; side++)
+		usb_host_job(&test->host[side], job, slots, test->sequence);
+	test->sequence += 1 + below(test, 0x10000000);
+}
+
+static uint32_t lost_word(struct test *test)
+{
+	uint32_t word = GLOSS_USB_JOB_MAGIC << 8 | below(test, GLOSS_SLOTS + 1);
+
+	if (below(test, 4) == 0)
+		return GLOSS_USB_SYNC_MAGIC;
+	if (below(test, 4) == 0)
+		return (word & ~GLOSS_USB_JOB_SLOTS) | (GLOSS_SLOTS + 1 + below(test, 15));
+	return word ^ 1u << (5 + below(test, 27));
+}
+
+static void make_jobs(struct test *test, enum kind kind)
+{
+	uint32_t jobs = 1 + below(test, kind == LOST ? JOBS - 1 : JOBS);
+	uint32_t words, word;
+
+	for (test->jobs = 0; test->jobs < jobs; test->jobs++)
+		make_job(test, test->jobs);
+	words = test->host[0].out.count - test->head[0];
+	if (kind == LOST) {
+		word = lost_word(test);
+		add_words(test, &word, 1);
+		make_job(test, jobs);
+	}
+	if (kind == HEAD)
+		flip(test, test->head[below(test, jobs)] + 1 + below(test, 3));
+	if (kind == WILD)
+		flip(test, test->head[0] + below(test, words));
+	if (kind == TORN) {
+		words = below(test, words);
+		for (uint32_t side = 0; side < 2; side++)
+			test->host[side].out.count = test->head[0] + words;
+	}
+}
+
+/* ---- what happens to them ---- */
+
+/* Small pieces are for short batches: each is a step of a simulator. */
+static uint32_t piece(struct test *test, uint32_t words)
+{
+	uint32_t least = words / 2000;
+
+	return least + (1u << below(test, 14));
+}
+
+static void pace(struct test *test, struct usb_host *host)
+{
+	host->offer = piece(test, host->out.count - host->sent);
+	host->take = piece(test, STREAM_RANDOM_RESPONSE / 4);
+}
+
+static int run_side(struct test *test, enum kind kind, uint32_t side)
+{
+	struct usb_host *host = &test->host[side];
+	uint32_t steps = below(test, 30);
+
+	pace(test, host);
+	if (kind == FULL)
+		host->take = 0;
+	if (kind == FULL || kind == RESET)
+		while (steps && usb_host_step(host))
+			steps--;
+	if (kind == FULL)
+		pace(test, host);
+	if (kind != RESET && !usb_host_run(host))
+		return differ(test, "board %u does not come to rest", side);
+	if (kind != RESET && host->sent != host->out.count)
+		return differ(test, "board %u does not take word %u of OUT", side, host->sent);
+	return 0;
+}
+
+/* ---- synchronisation ---- */
+
+static uint32_t make_nonce(struct test *test)
+{
+	return 1 + below(test, 0xffffffff);
+}
+
+/* What an earlier host had yet to send, a usb_sync of another one, the right one. */
+static void make_sync(struct test *test)
+{
+	add_words(test, test->stale.word, test->stale.count);
+	for (uint32_t side = 0; side < 2; side++) {
+		if (test->stale.count % 2)
+			usb_host_sync(&test->host[side], test->nonce + 1);
+		usb_host_sync(&test->host[side], test->nonce);
+	}
+}
+
+static void keep_stale(struct test *test)
+{
+	const struct usb_words *out = &test->host[0].out;
+	uint32_t from = below(test, out->count + 1);
+	uint32_t count = below(test, out->count - from + 1);
+
+	test->stale.count = 0;
+	if (count && below(test, 2))
+		usb_words_add(&test->stale, out->word + from, count < 3000 ? count : 3000);
+}
+
+static int synchronise(struct test *test)
+{
+	keep_stale(test);
+	test->nonce = make_nonce(test);
+	for (uint32_t side = 0; side < 2; side++)
+		if (!usb_host_reset(&test->host[side], test->nonce))
+			return differ(test, "board %u does not end its reset", side);
+	if (compare_registers(test))
+		return 1;
+	make_sync(test);
+	if (run_side(test, PLAIN, 0) || run_side(test, PLAIN, 1) || compare_channels(test) ||
+	    compare_registers(test))
+		return 1;
+	if (!usb_host_echo(&test->host[0], test->nonce) || !usb_host_empty(&test->host[0]))
+		return differ(test, "IN is not the echo of the usb_sync alone");
+	test->synchronised = true;
+	return 0;
+}
+
+/* ---- what is to be the same then ---- */
+
+/* What is known after the jobs that ended is the same; the reset leaves memory as it is. */
+static int check_torn(struct test *test)
+{
+	if (synchronise(test))
+		return 1;
+	for (uint32_t n = 0; n < test->jobs; n++)
+		pair_forgive_slots(&test->pair, test->slot[n]);
+	return pair_compare_memory(&test->pair);
+}
+
+/* A job whose slots leave board memory may end in two ways, and may write where it likes. */
+static int check_wild(struct test *test)
+{
+	if (synchronise(test))
+		return 1;
+	memcpy(test->pair.memory[1], test->pair.memory[0], STREAM_RANDOM_MEMORY);
+	return 0;
+}
+
+static int check_answers(struct test *test)
+{
+	for (uint32_t n = 0; n < test->jobs; n++)
+		if (!usb_host_answer(&test->host[0]))
+			return differ(test, "job %u has no right answer", n);
+	return usb_host_empty(&test->host[0]) ? 0 : differ(test, "more comes than answers");
+}
+
+static int check(struct test *test, enum kind kind)
+{
+	if (kind == WILD)
+		return check_wild(test);
+	if (kind == RESET)
+		return compare_begun(test) || check_torn(test);
+	test->short_of_words = test->ops[1]->pixels_per_clock > 1 &&
+		(usb_host_read(&test->host[0], GLOSS_REG_STATUS) & GLOSS_REG_STATUS_RUNNING);
+	if (compare_channels(test) || compare_registers(test))
+		return 1;
+	test->short_of_words = false;
+	test->words += test->host[0].in.count;
+	if (kind == TORN || kind == HEAD)
+		return check_torn(test);
+	if (check_answers(test) || pair_compare_memory(&test->pair))
+		return 1;
+	return kind == LOST && synchronise(test);
+}
+
+static int run_batch(struct test *test)
+{
+	enum kind kind = below(test, 2) ? PLAIN : (enum kind)below(test, KINDS);
+
+	test->batches[kind]++;
+	if (!test->synchronised && synchronise(test))
+		return 1;
+	make_jobs(test, kind);
+	return run_side(test, kind, 0) || run_side(test, kind, 1) || check(test, kind);
+}
+
+static int run_round(struct pair *pair)
+{
+	struct test *test = (struct test *)pair;
+	int failed = 0;
+
+	test->synchronised = false;
+	for (uint32_t side = 0; side < 2; side++) {
+		if (!usb_host_init(&test->host[side], test->ops[side], pair->memory[side],
+				   STREAM_RANDOM_MEMORY)) {
+			fprintf(stderr, "test_usb_boards: out of memory\n");
+			exit(1);
+		}
+	}
+	for (uint32_t batch = 0; batch < BATCHES && !failed; batch++)
+		failed = run_batch(test);
+	for (uint32_t side = 0; side < 2; side++)
+		usb_host_fini(&test->host[side]);
+	return failed;
+}
+
+static bool load(struct pair *pair, const void *symbol)
+{
+	struct test *test = (struct test *)pair;
+	const struct gloss_usb_board_ops *ops = symbol;
+
+	test->ops[1] = ops;
+	test->ops[0] = ops->tile_size == 32 ? &gloss_usb_board_model_t32 :
+					      &gloss_usb_board_model_t64;
+	return ops->abi == GLOSS_USB_BOARD_ABI && ops->version == GLOSS_VERSION;
+}
+
+static void report(const struct pair *pair, uint64_t rounds)
+{
+	const struct test *test = (const struct test *)pair;
+
+	printf("test_usb_boards: T=%u K=%u: %" PRIu64 " rounds, %" PRIu64
+	       " IN words compared; batches", test->ops[1]->tile_size,
+	       test->ops[1]->pixels_per_clock, rounds, test->words);
+	for (int n = 0; n < KINDS; n++)
+		printf(" %s %" PRIu64, kind_names[n], test->batches[n]);
+	printf("\n");
+}
+
+int main(int argc, char **argv)
+{
+	static const struct pair_test boards = {
+		.program = "test_usb_boards",
+		.symbol = GLOSS_USB_BOARD_SYMBOL,
+		.load = load,
+		.round = run_round,
+		.report = report,
+	};
+	static struct test test;
+	int failed = pair_main(&test.pair, &boards, argc, argv);
+
+	free(test.stale.word);
+	return failed;
+}
