@@ -38,42 +38,54 @@ BOARD_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-board-%.so)
 USB_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-usb-%.so)
 ALL += $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN)
 
-# The port alone, at each width of its own; port_gate alone.
+# Each port alone, at each width of its own; port_gate alone.
 PORT_CORES := 32-1-32 64-4-64 64-8-128
-PORT_TB := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h \
-	port_access.h port_core.h tb.h)
 PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
 	ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
+PORT_TB_NEEDS := $(addprefix tests/rtl/,port_access.h port_core.h tb.h) \
+	driver/gloss_regs.h libaccel/gloss_packets.h
+PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h)
+PORT_TB_usb := $(addprefix tests/rtl/,tb_port_usb.cpp port_usb_bench.h)
 
-PORT_TB_NEEDS := $(PORT_TB) driver/gloss_regs.h libaccel/gloss_packets.h
-
-# $(1): parameters, $(2): sources, $(3): flags for Verilator
+# $(1): port, $(2): parameters, $(3): sources, $(4): flags for Verilator
 define port_bench
 	$(call quiet,RTL,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_pci \
-		$(3) --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
-		-CFLAGS "$(call raster_define,$(1)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
-		$(2) $(CURDIR)/tests/rtl/tb_port_pci.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
+	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_$(1) \
+		$(4) --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
+		-CFLAGS "$(call raster_define,$(2)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
+		$(3) $(CURDIR)/tests/rtl/tb_port_$(1).cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
 endef
 
-$(BUILD)/rtl/port-%/bench: $(PORT_TB_NEEDS) $(PORT_TB_SOURCES) rtl/gloss_hw.svh
-	$(call port_bench,$(call raster_core,$*),$(PORT_TB_SOURCES),-Irtl $(call \
-		raster_set,$(call raster_core,$*)))
-
-# The same bench on what yosys reads.
-$(BUILD)/rtl/read-port-%/port_pci.v: $(PORT_TB_SOURCES) rtl/gloss_hw.svh
+# The same bench on what yosys reads. $(1): port
+define port_read
 	$(call quiet,YOSYS,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)yosys -q -p "read_verilog -sv -Irtl $(PORT_TB_SOURCES); \
-		chparam $(subst -G,-set ,$(subst =, ,$(call raster_set,$(call raster_core,$*)))) port_pci; \
-		hierarchy -check -top port_pci; proc; flatten; opt; rename -top port_pci; \
+		chparam $(subst -G,-set ,$(subst =, ,$(call raster_set,$(call raster_core,$*)))) port_$(1); \
+		hierarchy -check -top port_$(1); proc; flatten; opt; rename -top port_$(1); \
 		write_verilog -noattr $@" >$(@D)/yosys.log 2>&1 || { cat $(@D)/yosys.log; exit 1; }
+endef
 
-$(BUILD)/rtl/read-port-%/bench: $(BUILD)/rtl/read-port-%/port_pci.v $(PORT_TB_NEEDS)
-	$(call port_bench,$(call raster_core,$*),$<,-Wno-fatal -Wno-lint -Wno-style -Wno-UNOPTFLAT)
+# $(1): port
+define port_rules
+$$(BUILD)/rtl/port-$(1)-%/bench: $$(PORT_TB_$(1)) $$(PORT_TB_NEEDS) $$(PORT_TB_SOURCES) rtl/gloss_hw.svh
+	$$(call port_bench,$(1),$$(call raster_core,$$*),$$(PORT_TB_SOURCES),-Irtl $$(call \
+		raster_set,$$(call raster_core,$$*)))
 
-PORT_BENCHES = $(PORT_CORES:%=$(BUILD)/rtl/port-%/bench) $(BUILD)/rtl/read-port-64-4-64/bench \
+$$(BUILD)/rtl/read-port-$(1)-%/port_$(1).v: $$(PORT_TB_SOURCES) rtl/gloss_hw.svh
+	$$(call port_read,$(1))
+
+$$(BUILD)/rtl/read-port-$(1)-%/bench: $$(BUILD)/rtl/read-port-$(1)-%/port_$(1).v $$(PORT_TB_$(1)) \
+		$$(PORT_TB_NEEDS)
+	$$(call port_bench,$(1),$$(call raster_core,$$*),$$<,-Wno-fatal -Wno-lint -Wno-style -Wno-UNOPTFLAT)
+
+PORT_BENCHES_$(1) := $$(PORT_CORES:%=$$(BUILD)/rtl/port-$(1)-%/bench) \
+	$$(BUILD)/rtl/read-port-$(1)-64-4-64/bench
+endef
+$(foreach port,pci usb,$(eval $(call port_rules,$(port))))
+
+PORT_BENCHES := $(PORT_BENCHES_pci) $(PORT_BENCHES_usb) \
 	$(addprefix $(BUILD)/rtl/,gate-1/bench gate-8/bench)
 
 GATE_SOURCES := rtl/port/port_gate.sv rtl/lib/stream_fifo.sv rtl/lib/stream_register.sv
@@ -86,7 +98,7 @@ $(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tes
 		$(GATE_SOURCES) $(CURDIR)/tests/rtl/tb_port_gate.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
 
 .PHONY: rtl-port
-rtl-port: $(PORT_BENCHES) ## the PCI port: jobs, interrupts, refused DMA, resets, with random stalls
+rtl-port: $(PORT_BENCHES) ## the ports: jobs, events, what a bus may do wrong, resets, with random stalls
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
 CHECKS += rtl-port

@@ -114,7 +114,7 @@ module port_usb_out #(
   assign stream_data_o = window_q[127 -: StreamBits];
   assign taken_o = beat_q && stream_ready_i ? words_q : '0;
 
-  assign idle_o = (state_q == Search || state_q == Rest || state_q == Lost) && !word_valid_i;
+  assign idle_o = state_q == Search || state_q == Lost || (state_q == Rest && !word_valid_i);
   assign running_o = state_q == Run;
   assign lost_o = state_q == Lost;
   assign lost_event_o = state_q == Rest && state_d == Lost;
