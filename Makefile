@@ -54,6 +54,7 @@ include rtl/port/port.mk
 include driver/driver.mk
 include tools/vboard/vboard.mk
 include tests/stream/stream.mk
+include tests/usb/usb.mk
 include tests/vm/vm.mk
 include tests/tests.mk
 

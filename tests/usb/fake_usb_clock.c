@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: MIT */
+/* Time that can leap: the library and the bus have it from here, everybody else from outside. */
+#include <errno.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "fake_usb_priv.h"
+
+#define NS_PER_S 1000000000ll
+#define LEAP_NS 50000000ll		/* at once */
+#define LEAP_AFTER_NS 100000ll		/* nobody did anything for so long */
+#define SLICE_NS 2000000ll
+
+int __real_clock_gettime(clockid_t clock, struct timespec *now);
+int __real_pthread_cond_clockwait(pthread_cond_t *cond, pthread_mutex_t *mutex, clockid_t clock,
+				  const struct timespec *deadline);
+int __wrap_clock_gettime(clockid_t clock, struct timespec *now);
+int __wrap_pthread_cond_clockwait(pthread_cond_t *cond, pthread_mutex_t *mutex, clockid_t clock,
+				  const struct timespec *deadline);
+int __wrap_pthread_cond_timedwait(pthread_cond_t *cond, pthread_mutex_t *mutex,
+				  const struct timespec *deadline);
+int __wrap_nanosleep(const struct timespec *time, struct timespec *left);
+int __wrap_usleep(useconds_t us);
+
+static _Atomic int64_t leapt;
+
+static int64_t to_ns(const struct timespec *time)
+{
+	return time->tv_sec * NS_PER_S + time->tv_nsec;
+}
+
+static struct timespec from_ns(int64_t ns)
+{
+	return (struct timespec){ ns / NS_PER_S, ns % NS_PER_S };
+}
+
+static int64_t real_ns(clockid_t clock)
+{
+	struct timespec now;
+
+	__real_clock_gettime(clock, &now);
+	return to_ns(&now);
+}
+
+int64_t fake_usb_now_ns(void)
+{
+	return real_ns(CLOCK_MONOTONIC) + leapt;
+}
+
+void fake_clock_leap(int64_t ns)
+{
+	leapt += ns;
+}
+
+/* Until @ns from now, outside. False: it was that long. */
+static bool real_wait(pthread_cond_t *cond, pthread_mutex_t *mutex, int64_t ns)
+{
+	struct timespec until = from_ns(real_ns(CLOCK_MONOTONIC) + ns);
+
+	return __real_pthread_cond_clockwait(cond, mutex, CLOCK_MONOTONIC, &until) != ETIMEDOUT;
+}
+
+void fake_clock_wait(int64_t deadline)
+{
+	bool hurry = fake.hurry || fake.leap_always;
+	int64_t left = deadline - fake_usb_now_ns();
+
+	if (left > (hurry ? LEAP_AFTER_NS : NS_PER_S))
+		left = hurry ? LEAP_AFTER_NS : NS_PER_S;
+	if (left <= 0 || real_wait(&fake.changed, &fake.lock, left) || !hurry)
+		return;
+	left = deadline - fake_usb_now_ns();
+	if (left > 0)
+		fake_clock_leap(left < LEAP_NS ? left : LEAP_NS);
+}
+
+/* ---- in place of the C library's ---- */
+
+int __wrap_clock_gettime(clockid_t clock, struct timespec *now)
+{
+	int err = __real_clock_gettime(clock, now);
+
+	if (!err && (clock == CLOCK_MONOTONIC || clock == CLOCK_REALTIME))
+		*now = from_ns(to_ns(now) + leapt);
+	return err;
+}
+
+/* Wakes now and then for nothing, which callers have to bear anyway: time may have leapt. */
+int __wrap_pthread_cond_clockwait(pthread_cond_t *cond, pthread_mutex_t *mutex, clockid_t clock,
+				  const struct timespec *deadline)
+{
+	int64_t left = to_ns(deadline) - real_ns(clock) - leapt;
+
+	if (left <= 0)
+		return ETIMEDOUT;
+	real_wait(cond, mutex, left < SLICE_NS ? left : SLICE_NS);
+	return 0;
+}
+
+/* A time of so many years is of the clock that counts from 1970. */
+int __wrap_pthread_cond_timedwait(pthread_cond_t *cond, pthread_mutex_t *mutex,
+				  const struct timespec *deadline)
+{
+	bool realtime = deadline->tv_sec > 1000000000 && deadline->tv_sec < 4000000000;
+
+	return __wrap_pthread_cond_clockwait(cond, mutex,
+					     realtime ? CLOCK_REALTIME : CLOCK_MONOTONIC, deadline);
+}
+
+int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
+{
+	(void)left;
+	fake_clock_leap(to_ns(time));
+	sched_yield();
+	return 0;
+}
+
+int __wrap_usleep(useconds_t us)
+{
+	return __wrap_nanosleep(&(struct timespec){ us / 1000000, us % 1000000 * 1000l }, NULL);
+}

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+# "usb:" on a libusb of our own, with boards on the C model: see tests/usb/fake_usb.h.
+
+# A test that links FAKE_USB_OBJS and FAKE_USB_LDFLAGS leaves the real libusb out.
+FAKE_USB_SOURCES := $(addprefix tests/usb/, fake_usb.c fake_usb_bridge.c fake_usb_clock.c \
+	fake_usb_device.c fake_usb_sync.c fake_usb_transfer.c)
+FAKE_USB_OBJS := $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o) $(BOARD_USB_MODEL_OBJECTS)
+FAKE_USB_CFLAGS := -Idriver -Itools/vboard -Itests/usb -Itests/unit -Itests/stream
+FAKE_USB_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, clock_gettime pthread_cond_timedwait \
+	pthread_cond_clockwait nanosleep usleep)
+
+$(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o): $(BUILD)/%.o: %.c
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
+
+# Tests in tests/usb; those in tests/unit that want the fake are in USB_UNIT_TESTS.
+USB_TESTS := test_fake_usb
+
+$(USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/usb/%.c
+$(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
+$(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_USB_OBJS) \
+		$(STREAM_RANDOM_OBJS) $(BUILD)/libaccel/parts.a
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+		$(filter %.c %.o %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
+		$(filter-out -lusb-1.0,$(ACCEL_LIBS)) -o $@
+
+-include $(FAKE_USB_OBJS:.o=.o.d)
+
+UNIT_TESTS += $(USB_TESTS)
+SANITIZED_TESTS += $(USB_TESTS)
