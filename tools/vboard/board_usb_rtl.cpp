@@ -33,6 +33,7 @@ public:
 			clock();
 		}
 		board_.out_valid_i = 0;
+		refused_ = taken < count;
 		return taken;
 	}
 
@@ -71,11 +72,13 @@ public:
 
 	bool work()
 	{
+		const bool full = !board_.out_ready_o;
+
 		for (unsigned slice = 0; slice < WorkSlices; slice++) {
 			for (unsigned i = 0; i < SliceClocks; i++)
 				clock();
 			if (idle())
-				return false;
+				return full && board_.out_ready_o;
 			if (board_.in_valid_o)
 				break;
 		}
@@ -107,9 +110,19 @@ private:
 		return quiet_ >= StillClocks;
 	}
 
+	/* There was no room for a word, and now there is. */
+	bool again()
+	{
+		bool again = refused_ && board_.out_ready_o;
+
+		refused_ = false;
+		return again;
+	}
+
 	void still() override
 	{
 		board_.out_valid_i = board_.in_ready_i = board_.event_ready_i = 0;
+		refused_ = false;
 		quiet_ = 0;
 	}
 
@@ -124,6 +137,7 @@ private:
 			quiet_++;
 	}
 
+	bool refused_ = false; /* the last word that was offered */
 	unsigned quiet_ = 0; /* clocks since something moved */
 	uint32_t progress_ = 0;
 };
