@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A PCI board: the port and the core. A real board's PCIe bridge stands at reg_*, irq_* and host_*, its memory
 // controller at axi_*; the virtual board has both in software. All in one clock domain.
-// Reset of the core while it uses board memory: a gate brings what is under way there to its end, so that the memory
-// controller need not be reset with it.
 module board_pci #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -69,8 +67,6 @@ module board_pci #(
   input  logic [1:0]                   axi_rresp_i
 );
 
-  localparam int unsigned Width = 32 * PixelsPerClock;
-
   // port and core
   logic core_rst_n, slot_write, job_valid, job_ready, status_valid, status_ready;
   logic stream_valid, stream_ready, response_valid, response_ready;
@@ -80,16 +76,8 @@ module board_pci #(
   gloss_pkg::status_t status;
   gloss_pkg::time_counters_t time_counters;
   logic [StreamBits-1:0] stream_data;
-  logic [Width-1:0] response_data;
-
-  // core and the gate before its memory
-  logic stop, stopped, idle;
-  logic awvalid, awready, wvalid, wready, bvalid, bready, arvalid, arready, rvalid, rready, rlast;
-  logic [31:0] awaddr, araddr;
-  logic [7:0] awlen, arlen;
-  logic [Width-1:0] wdata, rdata;
-  logic [4*PixelsPerClock-1:0] wstrb;
-  logic [1:0] bresp, rresp;
+  logic [32*PixelsPerClock-1:0] response_data;
+  logic memory_stop, memory_stopped, memory_idle;
 
   port_pci #(
     .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
@@ -112,13 +100,13 @@ module board_pci #(
     .stream_valid_o(stream_valid), .stream_ready_i(stream_ready), .stream_data_o(stream_data),
     .response_valid_i(response_valid), .response_ready_o(response_ready),
     .response_count_i(response_count), .response_data_i(response_data),
-    .memory_stop_o(stop), .memory_stopped_i(stopped), .memory_idle_i(idle)
+    .memory_stop_o(memory_stop), .memory_stopped_i(memory_stopped), .memory_idle_i(memory_idle)
   );
 
-  gloss_core #(
+  board_core #(
     .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
   ) u_core (
-    .clk_i, .rst_ni(core_rst_n),
+    .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
     .slot_write_i(slot_write), .slot_index_i(slot_index), .slot_base_i(slot_base),
     .slot_size_i(slot_size), .slot_rights_i(slot_rights),
     .job_valid_i(job_valid), .job_ready_o(job_ready),
@@ -128,28 +116,7 @@ module board_pci #(
     .stream_valid_i(stream_valid), .stream_ready_o(stream_ready), .stream_data_i(stream_data),
     .response_valid_o(response_valid), .response_ready_i(response_ready),
     .response_count_o(response_count), .response_data_o(response_data),
-    .axi_awvalid_o(awvalid), .axi_awready_i(awready), .axi_awaddr_o(awaddr), .axi_awlen_o(awlen),
-    .axi_wvalid_o(wvalid), .axi_wready_i(wready), .axi_wdata_o(wdata), .axi_wstrb_o(wstrb),
-    /* verilator lint_off PINCONNECTEMPTY */
-    .axi_wlast_o(), // the gate makes its own
-    /* verilator lint_on PINCONNECTEMPTY */
-    .axi_bvalid_i(bvalid), .axi_bready_o(bready), .axi_bresp_i(bresp),
-    .axi_arvalid_o(arvalid), .axi_arready_i(arready), .axi_araddr_o(araddr), .axi_arlen_o(arlen),
-    .axi_rvalid_i(rvalid), .axi_rready_o(rready), .axi_rdata_i(rdata), .axi_rlast_i(rlast),
-    .axi_rresp_i(rresp)
-  );
-
-  port_gate #(.AddressBits(32), .DataBits(Width)) u_gate (
-    .clk_i, .rst_ni,
-    .stop_i(stop), .stopped_o(stopped), .idle_o(idle),
-    .master_awvalid_i(awvalid), .master_awready_o(awready), .master_awaddr_i(awaddr),
-    .master_awlen_i(awlen),
-    .master_wvalid_i(wvalid), .master_wready_o(wready), .master_wdata_i(wdata), .master_wstrb_i(wstrb),
-    .master_bvalid_o(bvalid), .master_bready_i(bready), .master_bresp_o(bresp),
-    .master_arvalid_i(arvalid), .master_arready_o(arready), .master_araddr_i(araddr),
-    .master_arlen_i(arlen),
-    .master_rvalid_o(rvalid), .master_rready_i(rready), .master_rdata_o(rdata),
-    .master_rlast_o(rlast), .master_rresp_o(rresp),
+    .memory_stop_i(memory_stop), .memory_stopped_o(memory_stopped), .memory_idle_o(memory_idle),
     .axi_awvalid_o, .axi_awready_i, .axi_awaddr_o, .axi_awlen_o,
     .axi_wvalid_o, .axi_wready_i, .axi_wdata_o, .axi_wstrb_o, .axi_wlast_o,
     .axi_bvalid_i, .axi_bready_o, .axi_bresp_i,
