@@ -556,6 +556,34 @@ static void completions_that_are_not_read_stop_the_jobs(void **state)
 	assert_true(usb_host_empty(host));
 }
 
+static void work_is_false_only_if_nothing_moved(void **state)
+{
+	struct usb_host *host = *state;
+	struct port_usb *port = &host->board->port;
+	uint32_t out, in, words[300];
+	bool flush;
+
+	for (uint32_t take = 1; take < 300; take++) {
+		start(host);
+		host->board->engine.answers = 90;
+		add_job(host, 700, 30000, 1);
+		add_job(host, 600, 31, 2);
+		add_job(host, 0, 0, 0);
+		host->out.word[host->out.count - GLOSS_USB_JOB_WORDS] = 0;
+		host->sent += port_usb_out(port, host->out.word + host->sent,
+					   host->out.count - host->sent);
+		do {
+			do {
+				out = port->out.count;
+				in = port->in.count;
+			} while (port_usb_work(port));
+			assert_int_equal(port->out.count, out);
+			assert_int_equal(port->in.count, in);
+		} while (port_usb_in(port, words, take, &flush));
+		assert_status(host, R(STATUS_IDLE) | R(STATUS_LOST));
+	}
+}
+
 /* ---- torn jobs and resets ---- */
 
 static void torn_job_leaves_nothing_to_the_next_one(void **state)
@@ -770,6 +798,7 @@ int main(void)
 		TEST(words_may_come_and_go_in_pieces_of_any_size),
 		TEST(in_that_is_not_read_stops_everything_and_loses_nothing),
 		TEST(completions_that_are_not_read_stop_the_jobs),
+		TEST(work_is_false_only_if_nothing_moved),
 		TEST(torn_job_leaves_nothing_to_the_next_one),
 		TEST(reset_at_any_time_drops_all_there_is),
 		TEST(power_on_is_a_reset),

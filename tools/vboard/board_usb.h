@@ -47,8 +47,9 @@ struct gloss_usb_board_ops {
 	bool (*event)(struct gloss_usb_board *board, uint32_t words[2]);
 
 	/*
-	 * Works for about a millisecond. False: nothing moves any more until words are
-	 * offered or taken, or a register is written.
+	 * Works for about a millisecond. False: nothing that its host can see has moved, room
+	 * for OUT words included, and nothing will until words are offered or taken, or a
+	 * register is written.
 	 */
 	bool (*work)(struct gloss_usb_board *board);
 

@@ -186,26 +186,21 @@ static bool port_send_chunk(struct port_usb *port)
 	return true;
 }
 
-/* Answered words into chunks, and full chunks away. */
+/* Answered words into the chunk; a full one leaves. */
 static uint32_t port_answer(struct port_usb *port)
 {
-	uint32_t moved = 0;
+	uint32_t count = GLOSS_USB_CHUNK_WORDS - port->chunk_count;
 
-	while (port->answer_count) {
-		uint32_t count = GLOSS_USB_CHUNK_WORDS - port->chunk_count;
-
-		if (count > port->answer_count)
-			count = port->answer_count;
-		memcpy(port->chunk + GLOSS_USB_RESPONSE_WORDS + port->chunk_count,
-		       port->base.answer + port->answer_first, 4 * (size_t)count);
-		port->chunk_count += count;
-		port->answer_first += count;
-		port->answer_count -= count;
-		moved += count;
-		if (port->chunk_count == GLOSS_USB_CHUNK_WORDS && !port_send_chunk(port))
-			break;
-	}
-	return moved;
+	if (!count)
+		return port_send_chunk(port);
+	if (count > port->answer_count)
+		count = port->answer_count;
+	memcpy(port->chunk + GLOSS_USB_RESPONSE_WORDS + port->chunk_count,
+	       port->base.answer + port->answer_first, 4 * (size_t)count);
+	port->chunk_count += count;
+	port->answer_first += count;
+	port->answer_count -= count;
+	return count;
 }
 
 /* Words of the stream into the window, up to any packet's end. */
@@ -238,11 +233,9 @@ static bool port_has_packet(const struct port_usb *port)
 
 static uint32_t port_run(struct port_usb *port)
 {
-	bool blocked = port->chunk_count == GLOSS_USB_CHUNK_WORDS && !port_send_chunk(port);
-	uint32_t moved = blocked ? 0 : port_answer(port);
+	uint32_t moved = port_answer(port) + port_fill(port);
 	struct port_step step;
 
-	moved += port_fill(port);
 	if (port->answer_count || port->chunk_count == GLOSS_USB_CHUNK_WORDS)
 		return moved;
 	if (port_has_packet(port)) {
@@ -264,8 +257,8 @@ static uint32_t port_end(struct port_usb *port)
 	const struct gloss_status *status = &port->base.status;
 	uint32_t words[GLOSS_USB_COMPLETION_WORDS];
 
-	if (port->chunk_count && !port_send_chunk(port))
-		return 0;
+	if (port->chunk_count)
+		return port_send_chunk(port);
 	gloss_usb_completion_pack(words, &(struct gloss_usb_completion){
 		.cause = status->cause,
 		.mark = GLOSS_USB_COMPLETION_MAGIC,
@@ -305,14 +298,13 @@ bool port_usb_work(struct port_usb *port)
 	uint32_t words = 0;
 
 	while (words < PORT_WORK_WORDS) {
-		enum port_usb_state state = port->state;
-		uint32_t moved = advance[state](port);
+		uint32_t moved = advance[port->state](port);
 
-		if (!moved && port->state == state)
-			return false;
+		if (!moved)
+			break;
 		words += moved;
 	}
-	return true;
+	return words;
 }
 
 /* ---- registers ---- */
