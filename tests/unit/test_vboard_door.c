@@ -222,14 +222,22 @@ static int setup(void **state)
 	(void)state;
 	assert_int_equal(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair), 0);
 	proxy = pair[1];
-	vboard = (struct vboard){ .name = "board", .socket = pair[0], .slot = SLOT };
-	vboard.ended = eventfd(0, EFD_CLOEXEC);
+	vboard = (struct vboard){
+		.name = "board",
+		.loop = {
+			.ops = &vboard_door_pci_loop,
+			.data = &vboard,
+			.socket = pair[0],
+			.ended = eventfd(0, EFD_CLOEXEC),
+		},
+		.slot = SLOT,
+	};
 	open_qtest();
 	open_memory();
 	vboard_config_reset(&vboard.config);
 	assert_true(vboard_faults_init(&vboard.faults, &gloss_board_model_t64, &door, board_memory,
 				       sizeof(board_memory), &nothing));
-	assert_int_equal(vboard_loop_start(&vboard), 0);
+	assert_int_equal(vboard_loop_start(&vboard.loop), 0);
 	share_memory();
 	return 0;
 }
@@ -240,17 +248,17 @@ static int end(void)
 	eventfd_t ended;
 
 	close(proxy);
-	assert_int_equal(eventfd_read(vboard.ended, &ended), 0);
-	vboard_loop_stop(&vboard);
+	assert_int_equal(eventfd_read(vboard.loop.ended, &ended), 0);
+	vboard_loop_stop(&vboard.loop);
 	vboard_qtest_free(vboard.qtest);
 	vboard_faults_fini(&vboard.faults);
 	vboard_memory_clear(&vboard.memory);
-	close(vboard.socket);
-	close(vboard.ended);
+	close(vboard.loop.socket);
+	close(vboard.loop.ended);
 	test_qtest_fini(&qtest);
 	close(ram);
 	munmap(host, sizeof(*host));
-	return vboard.error;
+	return vboard.loop.error;
 }
 
 static int teardown(void **state)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <errno.h>
+#include <poll.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -221,11 +222,13 @@ static uint64_t door_answer(struct vboard *vboard, const struct vboard_message *
 	}
 }
 
-int vboard_door_pci_serve(struct vboard *vboard)
+/* Waits for a message and does what it says. */
+static int door_serve(void *data)
 {
+	struct vboard *vboard = data;
 	struct vboard_message message;
 	uint64_t value;
-	int ret = vboard_message_receive(vboard->socket, &message);
+	int ret = vboard_message_receive(vboard->loop.socket, &message);
 
 	if (ret <= 0)
 		return ret;
@@ -236,9 +239,32 @@ int vboard_door_pci_serve(struct vboard *vboard)
 		vboard->vcpu_waits = message.command != VBOARD_DEVICE_RESET;
 		value = door_answer(vboard, &message);
 		vboard->vcpu_waits = false;
-		ret = vboard_message_reply(vboard->socket, value);
+		ret = vboard_message_reply(vboard->loop.socket, value);
 		ret = ret == -EPIPE || ret == -ECONNRESET ? 0 : ret ? ret : 1;
 	}
 	vboard_message_release(&message);
 	return ret;
 }
+
+static bool door_work(void *data)
+{
+	return vboard_faults_work(&((struct vboard *)data)->faults);
+}
+
+static uint64_t door_due(const void *data)
+{
+	return vboard_faults_due(&((const struct vboard *)data)->faults);
+}
+
+static short door_events(const void *data)
+{
+	(void)data;
+	return POLLIN;
+}
+
+const struct vboard_loop_ops vboard_door_pci_loop = {
+	.serve = door_serve,
+	.work = door_work,
+	.due = door_due,
+	.events = door_events,
+};

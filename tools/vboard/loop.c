@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
-/* The thread of a board: answers the host, and works. */
 #define _GNU_SOURCE
+#include "loop.h"
+
 #include <errno.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <time.h>
 
-#include "vboard.h"
-
 /* A host that keeps asking may take as much of the board's time, and no more. */
 #define ASKING_NS 200000
 
-static uint64_t now(void)
+uint64_t vboard_now(void)
 {
 	struct timespec time;
 
@@ -20,12 +19,12 @@ static uint64_t now(void)
 	return (uint64_t)time.tv_sec * 1000000000 + (uint64_t)time.tv_nsec;
 }
 
-/* Waits for a message until @due. 1: there is one, 0: none, or -errno. */
-static int loop_wait(const struct vboard *vboard, uint64_t due)
+/* Waits for the host until @due. 1: it asks something, 0: not, or -errno. */
+static int loop_wait(const struct vboard_loop *loop, uint64_t due)
 {
-	struct pollfd polls = { .fd = vboard->socket, .events = POLLIN };
+	struct pollfd polls = { .fd = loop->socket, .events = loop->ops->events(loop->data) };
 	struct timespec left = { 0 };
-	uint64_t time = due && due != UINT64_MAX ? now() : 0;
+	uint64_t time = due && due != UINT64_MAX ? vboard_now() : 0;
 	int ret;
 
 	if (due > time) {
@@ -37,57 +36,57 @@ static int loop_wait(const struct vboard *vboard, uint64_t due)
 }
 
 /* Answers until the host has nothing more to ask or has asked for long. */
-static int loop_answer(struct vboard *vboard)
+static int loop_answer(const struct vboard_loop *loop)
 {
-	uint64_t until = now() + ASKING_NS;
+	uint64_t until = vboard_now() + ASKING_NS;
 	int ret;
 
 	do {
-		ret = vboard_door_pci_serve(vboard);
+		ret = loop->ops->serve(loop->data);
 		if (ret <= 0)
 			return ret;
-		ret = loop_wait(vboard, 0);
-	} while (ret > 0 && now() < until);
+		ret = loop_wait(loop, 0);
+	} while (ret > 0 && vboard_now() < until);
 	return ret < 0 ? ret : 1;
 }
 
 /* Until QEMU is gone: 0, or -errno. */
-static int loop_run(struct vboard *vboard)
+static int loop_run(const struct vboard_loop *loop)
 {
 	bool busy = false;
 	int ret;
 
 	for (;;) {
-		ret = loop_wait(vboard, busy ? 0 : vboard_faults_due(&vboard->faults));
+		ret = loop_wait(loop, busy ? 0 : loop->ops->due(loop->data));
 		if (ret > 0) {
-			ret = loop_answer(vboard);
+			ret = loop_answer(loop);
 			if (ret <= 0)
 				return ret;
 		}
 		if (ret < 0)
 			return ret;
-		busy = vboard_faults_work(&vboard->faults);
+		busy = loop->ops->work(loop->data);
 	}
 }
 
 static void *loop_thread(void *data)
 {
-	struct vboard *vboard = data;
+	struct vboard_loop *loop = data;
 
-	vboard->error = loop_run(vboard);
+	loop->error = loop_run(loop);
 	/* QEMU is not to wait for answers that will not come. */
-	shutdown(vboard->socket, SHUT_RDWR);
-	eventfd_write(vboard->ended, 1);
+	shutdown(loop->socket, SHUT_RDWR);
+	eventfd_write(loop->ended, loop->error == -ECANCELED ? UINT32_MAX : 1);
 	return NULL;
 }
 
-int vboard_loop_start(struct vboard *vboard)
+int vboard_loop_start(struct vboard_loop *loop)
 {
-	return -pthread_create(&vboard->thread, NULL, loop_thread, vboard);
+	return -pthread_create(&loop->thread, NULL, loop_thread, loop);
 }
 
-void vboard_loop_stop(struct vboard *vboard)
+void vboard_loop_stop(struct vboard_loop *loop)
 {
-	shutdown(vboard->socket, SHUT_RDWR);
-	pthread_join(vboard->thread, NULL);
+	shutdown(loop->socket, SHUT_RDWR);
+	pthread_join(loop->thread, NULL);
 }

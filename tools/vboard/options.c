@@ -1,91 +1,55 @@
 // SPDX-License-Identifier: MIT
+#define _GNU_SOURCE
+#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "load.h"
 #include "engine.h"
 #include "option.h"
 #include "options.h"
-#include "vboard.h"
 
 #ifndef GLOSS_RELEASE
 #define GLOSS_RELEASE "0.1"
 #endif
 
-static const char usage[] =
-	"usage: vboard-pci [--qtest PATH] [--verbose] --board ENGINE,fd=N[,OPTION=N]... ...\n"
-	"Serves virtual Gloss boards to QEMU, each to one x-pci-proxy-dev. ENGINE is model (the\n"
-	"C model) or rtl (the Verilated board). OPTIONs of a board:\n"
-	"  fd=N               its socket, whose other end the proxy has; must be given\n"
-	"  slot=N             the proxy's slot on q35's bus pcie.0, 0 to 24, for INTx\n"
-	"  memory=BYTES       board memory, a multiple of 4096; 256 MiB if not given\n"
-	"  tile=N             pixels of a tile's side, 32 or 64; 64 if not given\n"
-	"  lanes=N            pixels a clock of rtl, 1, 2, 4 or 8; 8 if not given\n"
-	"Faults, see vboard-pci(1):\n"
-	"  delay-writes=US    register writes take effect so late, or before the next read\n"
-	"  lose-interrupts=N  the first N interrupts are lost\n"
-	"  hang=N             the N-th job does not end until the driver resets the board\n"
-	"  refuse-dma=N       the N-th DMA access is refused\n"
-	"  die=N              the board goes away when the N-th job begins\n"
-	"  slow=US            each job takes so much longer\n"
-	"Further:\n"
-	"  --qtest PATH       QEMU's qtest socket, through which interrupts go\n"
-	"  --verbose          print what each board did, at the end\n"
-	"  --help, --version  print, and leave\n"
-	"Ends when QEMU has closed all sockets. Exit status: 0 done, 1 something failed, 2 the\n"
-	"command line was wrong.\n";
-
 void vboard_error(const char *what, const char *why)
 {
-	fprintf(stderr, "vboard-pci: %s: %s\n", what, why);
+	fprintf(stderr, "%s: %s: %s\n", program_invocation_short_name, what, why);
 }
 
-static enum vboard_exit bad_usage(const char *what, const char *why)
+enum vboard_exit vboard_usage_error(const char *what, const char *why)
 {
-	fprintf(stderr, "vboard-pci: %s: %s; see vboard-pci --help\n", what, why);
+	fprintf(stderr, "%s: %s: %s; see %s --help\n", program_invocation_short_name, what, why,
+		program_invocation_short_name);
 	return VBOARD_USAGE;
 }
 
 /* ---- a board ---- */
 
-static enum vboard_exit parse_board_options(struct vboard_options_board *board, const char *text)
+enum vboard_exit vboard_options_board(struct vboard_options_board *board, const char *text,
+				      const struct accel_option *own)
 {
-	uint64_t fd = UINT64_MAX, slot = VBOARD_NO_SLOT, tile = 64, lanes = 8;
-	uint64_t delay_writes = 0, lose_interrupts = 0, hang = 0, refuse_dma = 0, die = 0, slow = 0;
-	const struct accel_option list[] = {
+	uint64_t fd = UINT64_MAX, tile = 64, lanes = 8;
+	struct accel_option list[VBOARD_OPTIONS] = {
 		{ "fd", 0, INT32_MAX, 1, &fd },
-		{ "slot", 0, VBOARD_SLOT_MAX, 1, &slot },
 		{ "memory", GLOSS_PAGE_BYTES, ENGINE_MEMORY_MAX, GLOSS_PAGE_BYTES, &board->memory },
 		{ "tile", 32, 64, 0, &tile },
 		{ "lanes", 1, 8, 0, &lanes },
-		{ "delay-writes", 0, UINT32_MAX, 1, &delay_writes },
-		{ "lose-interrupts", 0, UINT32_MAX, 1, &lose_interrupts },
-		{ "hang", 0, UINT32_MAX, 1, &hang },
-		{ "refuse-dma", 0, UINT32_MAX, 1, &refuse_dma },
-		{ "die", 0, UINT32_MAX, 1, &die },
-		{ "slow", 0, UINT32_MAX, 1, &slow },
-		{ NULL, 0, 0, 0, NULL },
 	};
 	struct accel_transport_error error = { "" };
+	size_t count = 4;
 
+	while (own->name && count < VBOARD_OPTIONS - 1)
+		list[count++] = *own++;
 	board->memory = ENGINE_MEMORY_DEFAULT;
 	if (accel_option_parse(text, list, &error))
-		return bad_usage(board->text, error.text);
+		return vboard_usage_error(board->text, error.text);
 	if (fd == UINT64_MAX)
-		return bad_usage(board->text, "fd is missing, the board's socket");
+		return vboard_usage_error(board->text, "fd is missing, the board's socket");
 	board->socket = (int)fd;
-	board->slot = (uint32_t)slot;
 	board->tile = (uint32_t)tile;
 	board->lanes = (uint32_t)lanes;
-	board->armed = (struct vboard_faults_armed){
-		.delay_writes = (uint32_t)delay_writes,
-		.lose_interrupts = (uint32_t)lose_interrupts,
-		.hang = (uint32_t)hang,
-		.refuse_dma = (uint32_t)refuse_dma,
-		.die = (uint32_t)die,
-		.slow = (uint32_t)slow,
-	};
 	return VBOARD_OK;
 }
 
@@ -95,13 +59,13 @@ static enum vboard_exit parse_board(struct vboard_options *options, const char *
 	size_t length = strcspn(text, ",");
 
 	if (options->boards == VBOARD_BOARDS)
-		return bad_usage(text, "one board too many");
+		return vboard_usage_error(text, "one board too many");
 	if (!length || length >= sizeof(board->engine))
-		return bad_usage(text, "the engine is model or rtl");
+		return vboard_usage_error(text, "the engine is model or rtl");
 	options->boards++;
 	board->text = text;
 	memcpy(board->engine, text, length);
-	return parse_board_options(board, text[length] ? text + length + 1 : "");
+	return options->program->parse(board, text[length] ? text + length + 1 : "");
 }
 
 /* ---- the line ---- */
@@ -119,24 +83,26 @@ static enum vboard_exit parse_option(struct vboard_options *options, int option,
 		options->verbose = true;
 		return VBOARD_OK;
 	case 'h':
-		fputs(usage, stdout);
+		fputs(options->program->usage, stdout);
 		options->done = true;
 		return VBOARD_OK;
 	case 'V':
-		puts("vboard-pci " GLOSS_RELEASE);
+		printf("%s " GLOSS_RELEASE "\n", program_invocation_short_name);
 		options->done = true;
 		return VBOARD_OK;
 	default:
-		fputs("see vboard-pci --help\n", stderr);	/* getopt said what is wrong */
+		/* getopt said what is wrong. */
+		fprintf(stderr, "see %s --help\n", program_invocation_short_name);
 		return VBOARD_USAGE;
 	}
 }
 
-enum vboard_exit vboard_options_parse(struct vboard_options *options, int argc, char **argv)
+enum vboard_exit vboard_options_parse(struct vboard_options *options,
+				      const struct vboard_program *program, int argc, char **argv)
 {
 	static const struct option table[] = {
-		{ "board", required_argument, NULL, 'b' },
 		{ "qtest", required_argument, NULL, 'q' },
+		{ "board", required_argument, NULL, 'b' },
 		{ "verbose", no_argument, NULL, 'v' },
 		{ "help", no_argument, NULL, 'h' },
 		{ "version", no_argument, NULL, 'V' },
@@ -145,15 +111,15 @@ enum vboard_exit vboard_options_parse(struct vboard_options *options, int argc, 
 	enum vboard_exit ret = VBOARD_OK;
 	int option;
 
-	*options = (struct vboard_options){ 0 };
+	*options = (struct vboard_options){ .program = program };
 	while (ret == VBOARD_OK && !options->done &&
-	       (option = getopt_long(argc, argv, "", table, NULL)) != -1)
+	       (option = getopt_long(argc, argv, "", table + !program->qtest, NULL)) != -1)
 		ret = parse_option(options, option, optarg);
 	if (ret != VBOARD_OK || options->done)
 		return ret;
 	if (optind < argc)
-		return bad_usage(argv[optind], "all is said with options");
+		return vboard_usage_error(argv[optind], "all is said with options");
 	if (!options->boards)
-		return bad_usage("no board", "give --board ENGINE,fd=N");
+		return vboard_usage_error("no board", "give --board ENGINE,fd=N");
 	return VBOARD_OK;
 }

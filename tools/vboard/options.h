@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The command line of vboard-pci. */
+/* The command line of a program that serves boards. */
 #ifndef VBOARD_OPTIONS_H
 #define VBOARD_OPTIONS_H
 
@@ -9,6 +9,9 @@
 #include "faults.h"
 
 #define VBOARD_BOARDS 8
+#define VBOARD_OPTIONS 24		/* of a board, at most */
+
+struct accel_option;
 
 enum vboard_exit { VBOARD_OK, VBOARD_FAILED, VBOARD_USAGE };
 
@@ -16,13 +19,26 @@ struct vboard_options_board {
 	const char *text;		/* as given */
 	char engine[16];
 	int socket;
-	uint32_t slot;			/* VBOARD_NO_SLOT: not given */
 	uint32_t tile, lanes;
 	uint64_t memory;
-	struct vboard_faults_armed armed;
+	struct {
+		uint32_t slot;		/* VBOARD_NO_SLOT: not given */
+		struct vboard_faults_armed armed;
+	} pci;
 };
 
+/* What one program takes and another does not. */
+struct vboard_program {
+	const char *usage;
+	bool qtest;			/* it takes --qtest */
+	/* Reads the options of a board. */
+	enum vboard_exit (*parse)(struct vboard_options_board *board, const char *text);
+};
+
+extern const struct vboard_program vboard_program_pci;
+
 struct vboard_options {
+	const struct vboard_program *program;
 	const char *qtest;		/* NULL: not given */
 	bool verbose;
 	bool done;			/* --help and --version are all there was to do */
@@ -30,10 +46,15 @@ struct vboard_options {
 	struct vboard_options_board board[VBOARD_BOARDS];
 };
 
-/* Says on standard error what is wrong. */
-enum vboard_exit vboard_options_parse(struct vboard_options *options, int argc, char **argv);
+/* All of these say on standard error what is wrong. */
+enum vboard_exit vboard_options_parse(struct vboard_options *options,
+				      const struct vboard_program *program, int argc, char **argv);
+/* For ->parse: the options that every board has, and those of @own, which ends without a name. */
+enum vboard_exit vboard_options_board(struct vboard_options_board *board, const char *text,
+				      const struct accel_option *own);
+enum vboard_exit vboard_usage_error(const char *what, const char *why);
 
-/* "vboard-pci: what: why" on standard error. */
+/* "PROGRAM: what: why" on standard error. */
 void vboard_error(const char *what, const char *why);
 
 #endif

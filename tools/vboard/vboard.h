@@ -3,10 +3,9 @@
 #ifndef VBOARD_VBOARD_H
 #define VBOARD_VBOARD_H
 
-#include <pthread.h>
-
 #include "config.h"
 #include "faults.h"
+#include "loop.h"
 #include "memory.h"
 #include "qtest.h"
 
@@ -14,7 +13,7 @@
 
 struct vboard {
 	const char *name;		/* for messages */
-	int socket;			/* to QEMU */
+	struct vboard_loop loop;
 	struct vboard_qtest *qtest;	/* NULL: interrupts go nowhere */
 	uint32_t slot;			/* of the bus; VBOARD_NO_SLOT: INTx goes nowhere */
 
@@ -31,10 +30,6 @@ struct vboard {
 	uint64_t reads, writes;		/* of registers */
 	uint64_t dma_bytes;
 	uint64_t interrupts;
-
-	pthread_t thread;
-	int ended;			/* eventfd that is told when the thread has ended */
-	int error;			/* that ended it */
 };
 
 /* ---- door_pci.c: the board's side of its PCI slot ---- */
@@ -42,14 +37,7 @@ struct vboard {
 /* What a board asks of its host. */
 struct vboard_faults_door vboard_door_pci_host(struct vboard *vboard);
 
-/* Waits for a message and does what it says. 1; 0: QEMU is gone; -errno. */
-int vboard_door_pci_serve(struct vboard *vboard);
-
-/* ---- loop.c ---- */
-
-/* Starts the board's thread; ->ended, ->socket and all above are set. 0, or -errno. */
-int vboard_loop_start(struct vboard *vboard);
-/* Ends it if it has not ended yet. */
-void vboard_loop_stop(struct vboard *vboard);
+/* Its side of the loop: with it, the vboard as data, and a socket, a loop can start. */
+extern const struct vboard_loop_ops vboard_door_pci_loop;
 
 #endif

@@ -2,7 +2,7 @@
 # The virtual board: what stands in for a PCI board in a virtual machine.
 
 VBOARD_OBJECTS := $(addprefix $(BUILD)/tools/vboard/, config.o door_pci.o faults.o load.o loop.o \
-	memory.o message.o options.o qtest.o)
+	memory.o message.o options.o options_pci.o qtest.o serve.o)
 VBOARD_MAIN := $(BUILD)/tools/vboard/vboard-pci.o
 
 # The model of the port and the board (BOARD_MODEL_OBJECTS), and the Verilated board.
