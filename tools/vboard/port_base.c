@@ -20,6 +20,13 @@ void port_base_reset(struct port_base *base, uint32_t ring_max_log2)
 	PORT_REG(base, MEMORY_PAGES) = base->build.memory_pages;
 }
 
+uint32_t port_base_read(const struct port_base *base, uint32_t offset, uint32_t status)
+{
+	if (offset == GLOSS_REG_STATUS)
+		return status;
+	return offset / 4 < PORT_REGISTERS ? base->reg[offset / 4] : 0;
+}
+
 void port_base_slot(struct gloss_job *job, uint32_t n, const uint32_t *words)
 {
 	struct gloss_slot_entry entry;

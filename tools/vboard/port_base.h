@@ -71,6 +71,9 @@ void port_base_init(struct port_base *base, const struct port_engine *engine,
 /* Registers after a reset. */
 void port_base_reset(struct port_base *base, uint32_t ring_max_log2);
 
+/* What a register reads; STATUS is the port's. */
+uint32_t port_base_read(const struct port_base *base, uint32_t offset, uint32_t status);
+
 /* Slot @n of a job from its words. */
 void port_base_slot(struct gloss_job *job, uint32_t n, const uint32_t *words);
 /* False: the engine does not take the job, and status says why. */

@@ -231,9 +231,7 @@ static uint32_t port_status(const struct port_pci *port)
 
 uint32_t port_pci_read(const struct port_pci *port, uint32_t offset)
 {
-	if (offset == GLOSS_REG_STATUS)
-		return port_status(port);
-	return offset / 4 < PORT_REGISTERS ? port->base.reg[offset / 4] : 0;
+	return port_base_read(&port->base, offset, port_status(port));
 }
 
 void port_pci_write(struct port_pci *port, uint32_t offset, uint32_t value)
