@@ -50,7 +50,8 @@ struct fake_usb_board {
 /* What can happen on the cable of a board. The @at-th is counted from arming, from 1. */
 enum fake_usb_fault {
 	FAKE_USB_NO_FAULT,
-	FAKE_USB_UNPLUG,		/* at the at-th packet of any endpoint, control too */
+	FAKE_USB_UNPLUG,		/* at the at-th packet of any endpoint, control too; @value
+					 * 1: and plugged in at once, 2: with power lost */
 	FAKE_USB_KILL,			/* so, but for the host: its board stays as it is */
 	FAKE_USB_GLITCH,		/* so, but the board is in its power-on state again */
 	FAKE_USB_STALL_OUT,		/* the at-th transfer; the endpoint is halted */

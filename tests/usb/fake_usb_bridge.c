@@ -37,6 +37,8 @@ static bool bridge_packet(struct fake_bridge *bridge)
 	}
 	if (fake_bridge_fault(bridge, FAKE_USB_UNPLUG)) {
 		fake_bridge_unplug(bridge);
+		if (bridge->value[FAKE_USB_UNPLUG])
+			fake_bridge_plug(bridge, bridge->value[FAKE_USB_UNPLUG] > 1);
 		return false;
 	}
 	return true;

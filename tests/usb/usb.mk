@@ -15,7 +15,7 @@ $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o): $(BUILD)/%.o: %.c
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
 
 # Tests in tests/usb; those in tests/unit that want the fake are in USB_UNIT_TESTS.
-USB_TESTS := test_fake_usb
+USB_TESTS := test_fake_usb test_usb_faults
 
 $(USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/usb/%.c
 $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
@@ -24,10 +24,23 @@ $(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): 
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d \
-		$(filter %.c %.o %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
+		$(filter %.c %.o,$^) $(filter %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
 		$(filter-out -lusb-1.0,$(ACCEL_LIBS)) -o $@
 
 -include $(FAKE_USB_OBJS:.o=.o.d)
 
-UNIT_TESTS += $(USB_TESTS)
-SANITIZED_TESTS += $(USB_TESTS)
+USB_TRIAL_OBJ := $(BUILD)/tests/usb/usb_trial.o
+$(USB_TRIAL_OBJ): $(BUILD)/%.o: %.c
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
+
+-include $(USB_TRIAL_OBJ).d
+
+# Many random faults, and a few of them in the tools that find races and what was not set.
+USB_FAULTS ?= 1000
+USB_FAULTS_SAMPLE ?= 40
+$(BUILD)/tests/unit/test_usb_faults: $(USB_TRIAL_OBJ)
+
+UNIT_TESTS += test_fake_usb
+SANITIZED_TESTS += test_fake_usb

@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Jobs and pictures on a board whose cable fails at a random point, each case in another way.
+ * What is under way then ends in a clean error or in the right bytes, nothing hangs, and nothing
+ * is left behind; afterwards the same device works again, or says that it is gone, and the next
+ * one that is opened works at once: also when the host before it died in the middle of a job.
+ */
+#include <errno.h>
+#include <getopt.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "fake_usb.h"
+#include "usb_trial.h"
+
+#define HANG_SECONDS 120		/* outside; what takes long here takes a tenth of one */
+#define RETRIES 3
+#define CALL FAKE_USB_FAULTS		/* not the cable: a call answers an error */
+
+struct fault {
+	int kind;			/* enum fake_usb_fault, or CALL */
+	uint64_t at;
+	uint32_t value;
+	int error;
+	bool early;			/* armed before the board is opened */
+};
+
+/* What became of the cases of one kind of fault. */
+struct count {
+	unsigned int cases, fired, right, io, gone, other;
+};
+
+struct test {
+	const char *name;		/* of the device */
+	uint64_t seed, number;
+	struct accel_device *model[2];	/* with tiles of 32 and 64 pixels */
+	struct count count[CALL + 1];
+	char text[256];
+};
+
+static uint64_t next(uint64_t *seed)
+{
+	uint64_t z = *seed += 0x9e3779b97f4a7c15;
+
+	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+	z = (z ^ z >> 27) * 0x94d049bb133111eb;
+	return z ^ z >> 31;
+}
+
+static uint32_t below(uint64_t *seed, uint32_t limit)
+{
+	return (uint32_t)(next(seed) % limit);
+}
+
+/* 1 to 2^@bits, small ones as often as large ones. */
+static uint64_t any_size(uint64_t *seed, uint32_t bits)
+{
+	uint32_t most = below(seed, bits + 1);
+
+	return 1 + next(seed) % (1ull << most);
+}
+
+static const char *fault_name(int kind)
+{
+	return kind == CALL ? "error of a call" : fake_usb_fault_name((enum fake_usb_fault)kind);
+}
+
+/* ---- choosing a fault ---- */
+
+/* What @at counts: words, packets, or transfers and calls. */
+static uint32_t fault_bits(int kind)
+{
+	switch (kind) {
+	case FAKE_USB_GARBAGE_IN:
+	case FAKE_USB_GARBAGE_OUT:
+	case FAKE_USB_HANG_IN:
+		return 15;
+	case FAKE_USB_UNPLUG:
+	case FAKE_USB_KILL:
+	case FAKE_USB_GLITCH:
+	case FAKE_USB_HANG_OUT:
+		return 10;
+	case FAKE_USB_STALL_EVENT:
+	case FAKE_USB_RESET_LASTS:
+		return 0;
+	case FAKE_USB_STALL_OUT:
+	case FAKE_USB_ERROR_OUT:
+	case FAKE_USB_LOSE_OUT:
+		return 5;
+	default:
+		return 7;
+	}
+}
+
+static uint32_t fault_value(int kind, uint64_t *seed)
+{
+	switch (kind) {
+	case FAKE_USB_DELAY:
+		return (uint32_t)any_size(seed, 22);
+	case FAKE_USB_UNPLUG:
+		return below(seed, 3);
+	case FAKE_USB_RESET_LASTS:
+		return (uint32_t)any_size(seed, 20);
+	default:
+		return (uint32_t)any_size(seed, 5) - 1;
+	}
+}
+
+static struct fault fault_choose(uint64_t *seed)
+{
+	struct fault fault = { .kind = 1 + (int)below(seed, CALL) };
+
+	fault.at = any_size(seed, fault_bits(fault.kind));
+	fault.value = fault_value(fault.kind, seed);
+	fault.error = -1 - (int)below(seed, 12);
+	fault.early = fault.kind == FAKE_USB_RESET_LASTS || below(seed, 4) == 0;
+	return fault;
+}
+
+static void fault_arm(const struct fault *fault)
+{
+	if (fault->kind == CALL)
+		fake_usb_fail(NULL, (unsigned int)fault->at, fault->error);
+	else
+		fake_usb_arm(0, (enum fake_usb_fault)fault->kind, fault->at, fault->value);
+}
+
+/* It changes words, and who reads them can not know. */
+static bool fault_tampers(const struct fault *fault)
+{
+	return fault->kind == FAKE_USB_GARBAGE_IN || fault->kind == FAKE_USB_GARBAGE_OUT ||
+	       fault->kind == FAKE_USB_LOSE_OUT;
+}
+
+/* The protocol has a place for it, so nothing may come of it. */
+static bool fault_harmless(const struct fault *fault)
+{
+	return fault->kind == FAKE_USB_SHORT_IN || fault->kind == FAKE_USB_EMPTY_IN ||
+	       (fault->kind == FAKE_USB_DELAY && fault->value < 500000);
+}
+
+static bool fault_ends_host(const struct fault *fault)
+{
+	return fault->kind == FAKE_USB_UNPLUG || fault->kind == FAKE_USB_KILL;
+}
+
+/* ---- a case ---- */
+
+struct second {
+	struct accel_device *device, *model;
+	uint64_t seed;
+	bool tampered;
+	int err;
+};
+
+static void *second_run(void *data)
+{
+	struct second *second = data;
+
+	second->err = usb_trial_run(second->device, second->model, second->seed,
+				    second->tampered);
+	return NULL;
+}
+
+/* In one thread, or in two that share the device. */
+static int work(struct test *test, struct accel_device *device, uint64_t *seed, bool tampered)
+{
+	struct accel_device_info info;
+	struct accel_device *model;
+	struct second second;
+	bool both = below(seed, 4) == 0;
+	pthread_t thread;
+	int err;
+
+	accel_device_info(device, &info);
+	model = test->model[info.tile_size == 64];
+	second = (struct second){ device, model, next(seed), tampered, 0 };
+	if (both && pthread_create(&thread, NULL, second_run, &second))
+		usb_trial_fail("no thread");
+	err = usb_trial_run(device, model, next(seed), tampered);
+	if (both)
+		pthread_join(thread, NULL);
+	return err ? err : second.err;
+}
+
+static void plug_in(uint64_t *seed)
+{
+	struct fake_usb_board *board = &fake_usb.board[0];
+	bool small = below(seed, 4) == 0, fast = below(seed, 2);
+
+	fake_usb_start(next(seed));
+	fake_usb_unplug(0);
+	board->ops = small ? &gloss_usb_board_model_t32 : &gloss_usb_board_model_t64;
+	board->speed = fast ? LIBUSB_SPEED_SUPER : LIBUSB_SPEED_HIGH;
+	board->endpoint[0].packet_bytes = board->endpoint[1].packet_bytes = fast ? 1024 : 512;
+	fake_usb_plug(0, true);
+}
+
+static int open_device(const struct test *test, struct accel_device **device)
+{
+	int err = accel_device_new(test->name, NULL, NULL, device);
+
+	if (err)
+		*device = NULL;
+	return err;
+}
+
+static void check_open_error(int err)
+{
+	if (err && err != -EIO && err != -ENODEV && err != -ENOMEM && err != -EACCES &&
+	    err != -EBUSY)
+		usb_trial_fail("opening ended with %s", strerror(-err));
+}
+
+static void count_result(struct count *count, int err)
+{
+	count->cases++;
+	count->fired += fake_usb.fired != 0;
+	count->right += !err;
+	count->io += err == -EIO;
+	count->gone += err == -ENODEV;
+	count->other += err && err != -EIO && err != -ENODEV;
+}
+
+/* Until what the fault has left, and nobody has met yet, is met. True: the device is gone. */
+static bool recover(struct test *test, struct accel_device *device, uint64_t *seed)
+{
+	int err = -EIO;
+
+	for (int n = 0; n < RETRIES && err == -EIO; n++)
+		err = work(test, device, seed, false);
+	if (err && err != -ENODEV)
+		usb_trial_fail("%d jobs after the fault there is still: %s", RETRIES,
+			       strerror(-err));
+	return err;
+}
+
+static void check_next(struct test *test, uint64_t *seed)
+{
+	struct accel_device *device;
+	int err = open_device(test, &device);
+
+	if (err)
+		usb_trial_fail("the next one does not open: %s", strerror(-err));
+	err = work(test, device, seed, false);
+	if (err)
+		usb_trial_fail("the next one fails: %s", strerror(-err));
+	accel_device_free(device);
+}
+
+static void check_result(const struct fault *fault, int err)
+{
+	if (err && !fake_usb.fired)
+		usb_trial_fail("%s, and there was no fault yet", strerror(-err));
+	if (err && fault_harmless(fault))
+		usb_trial_fail("%s, and there was nothing wrong", strerror(-err));
+}
+
+static void run_case(struct test *test)
+{
+	uint64_t seed = test->seed * 0x9e3779b97f4a7c15 + test->number * 0xd1342543de82ef95;
+	struct fault fault = fault_choose(&seed);
+	struct accel_device *device;
+	int err;
+
+	snprintf(test->text, sizeof(test->text), "case %llu (%s at %llu, value %u, error %d%s; "
+		 "GLOSS_SEED=%llu test_usb_faults -g %llu -n 1 repeats it)",
+		 (unsigned long long)test->number, fault_name(fault.kind),
+		 (unsigned long long)fault.at, fault.value, fault.error,
+		 fault.early ? ", early" : "", (unsigned long long)test->seed,
+		 (unsigned long long)test->number);
+	usb_trial_context(test->text);
+	alarm(HANG_SECONDS);
+	plug_in(&seed);
+	if (fault.early)
+		fault_arm(&fault);
+	err = open_device(test, &device);
+	check_open_error(err);
+	if (!fault.early)
+		fault_arm(&fault);
+	if (device)
+		err = work(test, device, &seed, fault_tampers(&fault));
+	check_result(&fault, err);
+	count_result(&test->count[fault.kind], err);
+	fake_usb_disarm();
+	if (device && !fault_ends_host(&fault) && err != -ENODEV)
+		recover(test, device, &seed);
+	/* A dead host can not close its board; what is left of it here may do so later. */
+	if (fault.kind != FAKE_USB_KILL)
+		accel_device_free(device);
+	if (!fake_usb.board[0].present)
+		fake_usb_plug(0, below(&seed, 2));
+	check_next(test, &seed);
+	if (fault.kind == FAKE_USB_KILL)
+		accel_device_free(device);
+	fake_usb_stop();
+}
+
+/* ---- all of them ---- */
+
+static struct test test = { .name = "usb:" };
+
+static void say_hang(int signal)
+{
+	(void)signal;
+	if (write(2, test.text, strlen(test.text)) >= 0 && write(2, ": it hangs\n", 11) >= 0)
+		abort();
+}
+
+static int report(const struct test *t)
+{
+	unsigned int cases = 0, fired = 0;
+
+	printf("%-16s %6s %6s %6s %6s %6s %6s\n", "fault", "cases", "came", "right", "EIO",
+	       "ENODEV", "other");
+	for (int kind = 1; kind <= CALL; kind++) {
+		const struct count *c = &t->count[kind];
+
+		printf("%-16s %6u %6u %6u %6u %6u %6u\n", fault_name(kind), c->cases, c->fired,
+		       c->right, c->io, c->gone, c->other);
+		cases += c->cases;
+		fired += c->fired;
+	}
+	printf("%u cases, in %u of them the fault came\n", cases, fired);
+	if (cases < 100 || fired >= cases / 2)
+		return 0;
+	fprintf(stderr, "test_usb_faults: most faults did not come: this tests little\n");
+	return 1;
+}
+
+int main(int argc, char **argv)
+{
+	const char *seed = getenv("GLOSS_SEED");
+	uint64_t first = 0, cases = 1000;
+	int option;
+
+	test.seed = seed && *seed ? strtoull(seed, NULL, 0) : (uint64_t)time(NULL);
+	while ((option = getopt(argc, argv, "n:g:d:")) >= 0) {
+		if (option == 'n')
+			cases = strtoull(optarg, NULL, 0);
+		else if (option == 'g')
+			first = strtoull(optarg, NULL, 0);
+		else if (option == 'd')
+			test.name = optarg;
+		else
+			return 2;
+	}
+	printf("GLOSS_SEED=%llu\n", (unsigned long long)test.seed);
+	signal(SIGALRM, say_hang);
+	for (unsigned int n = 0; n < 2; n++)
+		test.model[n] = usb_trial_model(32 << n);
+	for (test.number = first; test.number < first + cases; test.number++)
+		run_case(&test);
+	for (int n = 0; n < 2; n++)
+		accel_device_free(test.model[n]);
+	return report(&test);
+}
