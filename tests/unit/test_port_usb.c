@@ -172,6 +172,22 @@ static void registers_but_nonce_ignore_writes(void **state)
 	assert_reset(host, ~0u);
 }
 
+static void control_without_reset_does_nothing(void **state)
+{
+	struct usb_host *host = *state;
+
+	start(host);
+	add_job(host, 100, 0, 1);
+	host->out.count -= 50;
+	run(host);
+	usb_host_write(host, R(CONTROL), ~R(CONTROL_RESET));
+	assert_int_equal(usb_host_read(host, R(CONTROL)), 0);
+	assert_int_equal(usb_host_read(host, R(NONCE)), NONCE);
+	host->out.count += 50;
+	run(host);
+	assert_answer(host, 0, 1);
+}
+
 /* ---- synchronisation ---- */
 
 static void sync_comes_back_and_ends_a_burst(void **state)
@@ -195,11 +211,31 @@ static void sync_that_is_not_right_is_dropped(void **state)
 		run(host);
 		assert_int_equal(host->in.count, 0);
 	}
-	/* Right in itself, with the nonce of somebody else. */
+	/* Right in itself, with the nonce of somebody else, with another mark. */
 	usb_host_sync(host, NONCE + 1);
+	usb_host_sync(host, NONCE);
+	host->out.word[host->out.count - 4] ^= 2;
+	host->out.word[host->out.count - 1] ^= 2;
 	run(host);
 	assert_int_equal(host->in.count, 0);
 	assert_reset(host, NONCE);
+}
+
+static void sync_does_not_begin_before_the_reset(void **state)
+{
+	struct usb_host *host = *state;
+
+	for (uint32_t words = 1; words < GLOSS_USB_SYNC_WORDS; words++) {
+		assert_true(usb_host_reset(host, NONCE));
+		usb_host_sync(host, NONCE);
+		host->out.count = words;
+		run(host);
+		assert_true(usb_host_reset(host, NONCE));
+		host->out.count = GLOSS_USB_SYNC_WORDS;
+		host->sent = words;
+		run(host);
+		assert_int_equal(host->in.count, 0);
+	}
 }
 
 static void sync_with_a_nonce_of_zero_is_dropped(void **state)
@@ -639,6 +675,33 @@ static void reset_at_any_time_drops_all_there_is(void **state)
 	}
 }
 
+/* Words that wait at each place there is, ends of bursts among them, and an event. */
+static void reset_drops_what_nobody_took(void **state)
+{
+	struct usb_host *host = *state;
+	struct fake_engine *engine = &host->board->engine;
+
+	start(host);
+	engine->cause = GLOSS_FAULT_OPCODE;
+	for (uint32_t n = 0; n < 1000; n++)
+		add_job(host, 0, 0, n);
+	add_job(host, 8000, 800000, 1);
+	engine->answers = 30000;
+	host->sent += port_usb_out(&host->board->port, host->out.word + host->sent,
+				   host->out.count - host->sent);
+	while (port_usb_work(&host->board->port))
+		;
+	assert_true(engine->answered > 0);
+	engine->cause = GLOSS_FAULT_NONE;
+	engine->answers = 7;
+	start(host);
+	add_job(host, 1000, 9000, 3);
+	run(host);
+	assert_answer(host, 7000, 3);
+	assert_true(usb_host_empty(host));
+	assert_int_equal(host->event.count, 0);
+}
+
 static void power_on_is_a_reset(void **state)
 {
 	struct usb_host *host = *state;
@@ -780,8 +843,10 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		TEST(registers_are_zero_after_power_on),
 		TEST(registers_but_nonce_ignore_writes),
+		TEST(control_without_reset_does_nothing),
 		TEST(sync_comes_back_and_ends_a_burst),
 		TEST(sync_that_is_not_right_is_dropped),
+		TEST(sync_does_not_begin_before_the_reset),
 		TEST(sync_with_a_nonce_of_zero_is_dropped),
 		TEST(sync_is_found_behind_anything),
 		TEST(sync_waits_for_its_nonce_to_be_written),
@@ -801,6 +866,7 @@ int main(void)
 		TEST(work_is_false_only_if_nothing_moved),
 		TEST(torn_job_leaves_nothing_to_the_next_one),
 		TEST(reset_at_any_time_drops_all_there_is),
+		TEST(reset_drops_what_nobody_took),
 		TEST(power_on_is_a_reset),
 		TEST(word_that_begins_no_job_loses_the_channel),
 		TEST(answers_to_jobs_before_the_loss_can_still_be_read),
