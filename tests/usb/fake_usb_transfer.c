@@ -11,6 +11,7 @@
 #define NS_PER_US 1000ll
 #define NS_PER_MS 1000000ll
 #define NS_PER_S 1000000000ll
+#define ROUND_NS 100000ll		/* when time leaps anyway: it is not to wait for a flood */
 
 static struct fake_transfer transfers[FAKE_TRANSFERS];
 static unsigned int last_made;
@@ -332,6 +333,8 @@ static void events_handle(struct libusb_context *context, int64_t deadline, cons
 
 		if (dispatch(context) || fake_usb_now_ns() >= deadline)
 			break;
+		if (fake.leap_always)
+			fake_clock_leap(ROUND_NS);
 		if (moved)
 			give_way();
 		else

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+/* Writes hostile boards for the fuzzer to start from: fuzz_usb_corpus DIRECTORY SEED COUNT. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz_usb_input.h"
+
+#define PIECES 12
+
+struct input {
+	struct fuzz_usb_head head;
+	uint8_t byte[4096];
+	size_t count;
+};
+
+/* splitmix64 */
+static uint32_t below(uint64_t *seed, uint32_t limit)
+{
+	uint64_t z = *seed += 0x9e3779b97f4a7c15;
+
+	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+	z = (z ^ z >> 27) * 0x94d049bb133111eb;
+	return (uint32_t)((z ^ z >> 31) % limit);
+}
+
+/* Most are honest in all but one thing, so that many boards open. */
+static void put_head(struct input *input, uint64_t *seed)
+{
+	struct fuzz_usb_head *head = &input->head;
+
+	head->flags = (uint8_t)(below(seed, 4) | below(seed, 4) << 4);
+	head->jobs = (uint8_t)(1 + below(seed, 6));
+	head->response = (uint8_t)below(seed, 256);
+	head->interfaces = 2;
+	head->endpoints = 3;
+	switch (below(seed, 8)) {
+	case 0:
+		head->flags |= FUZZ_USB_DESCRIPTORS;
+		head->endpoint[below(seed, 3)][0] = (uint8_t)below(seed, 256);
+		break;
+	case 1:
+		head->flags |= FUZZ_USB_REGISTERS;
+		break;
+	case 2:
+		head->texts = (uint8_t)below(seed, 16);
+		break;
+	case 3:
+		head->call = (uint8_t)(1 + below(seed, 60));
+		head->error = (uint8_t)below(seed, 12);
+		break;
+	case 4:
+		for (int n = 0; n < 3; n++)
+			head->fault[0][n] = (uint8_t)(1 + below(seed, 60));
+		break;
+	default:
+		break;
+	}
+}
+
+static void put_pieces(struct input *input, uint64_t *seed)
+{
+	for (int n = 0; n < PIECES; n++) {
+		uint8_t piece = (uint8_t)below(seed, below(seed, 2) ? 0x20 : 0x100);
+
+		input->byte[input->count++] = piece;
+		if (piece < 0x80 || piece >= 0xe0)
+			continue;
+		for (uint32_t left = piece < 0xa0 ? 4 * ((piece & 0x1fu) + 1) : 4; left; left--)
+			input->byte[input->count++] = (uint8_t)below(seed, 256);
+	}
+}
+
+static int write_input(const struct input *input, const char *path)
+{
+	FILE *file = fopen(path, "wb");
+	int error;
+
+	if (!file)
+		return -1;
+	fwrite(&input->head, sizeof(input->head), 1, file);
+	fwrite(input->byte, 1, input->count, file);
+	error = ferror(file);
+	return fclose(file) || error ? -1 : 0;
+}
+
+int main(int argc, char **argv)
+{
+	char path[4096];
+	uint64_t seed;
+
+	if (argc != 4) {
+		fprintf(stderr, "usage: fuzz_usb_corpus DIRECTORY SEED COUNT\n");
+		return 2;
+	}
+	seed = strtoull(argv[2], NULL, 0);
+	for (int left = atoi(argv[3]); left > 0; left--) {
+		struct input input = { .count = 0 };
+
+		put_head(&input, &seed);
+		if (left % 4)
+			put_pieces(&input, &seed);
+		snprintf(path, sizeof(path), "%s/%d", argv[1], left);
+		if (write_input(&input, path)) {
+			perror(path);
+			return 1;
+		}
+	}
+	return 0;
+}
