@@ -66,6 +66,22 @@ struct accel_device_info {
 typedef void (*accel_message_fn)(void *data, const char *message);
 
 /*
+ * Receives one device: the name that accel_device_new takes for it, and a line for people
+ * without a newline, which says what it is or why it would not open. Both are lent for the
+ * call. They may hold what a board says of itself: any bytes but 0.
+ */
+typedef void (*accel_device_list_fn)(void *data, const char *name, const char *line);
+
+/*
+ * Calls @found with each device there is, in the order in which "auto" tries them: boards
+ * that would not open, because another program has them or this one has no permission,
+ * are listed too. @found is called from this thread and may call the library; what it
+ * does there does not change what is listed after it.
+ * 0 also when there is none; -ENOMEM after some may have been listed.
+ */
+int accel_device_list(accel_device_list_fn found, void *data);
+
+/*
  * Opens the board called @name: "drm:" (a PCI board, through the kernel module gloss),
  * "model:" (the C model, in this process), "sim:" (the Verilated RTL, in this process)
  * or "auto" (the first of these that opens; also for NULL). The colon may be left out

@@ -137,6 +137,17 @@ err_free:
 	return err;
 }
 
+int accel_device_list(accel_device_list_fn found, void *data)
+{
+	size_t i;
+	int err = 0;
+
+	for (i = 0; i < TRANSPORTS && !err; i++)
+		if (transports[i]->list)
+			err = transports[i]->list(found, data);
+	return err;
+}
+
 /* ---- lifetime ---- */
 
 struct accel_device *accel_device_ref(struct accel_device *device)

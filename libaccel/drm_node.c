@@ -198,6 +198,21 @@ int accel_drm_node_open(const char *where, char *path, size_t size,
 	return fd;
 }
 
+int accel_drm_node_list(void (*each)(void *data, const char *path), void *data)
+{
+	drmDevicePtr device[DEVICES_MAX];
+	const char *node = "";
+	int devices;
+
+	devices = drmGetDevices2(0, device, DEVICES_MAX);
+	if (devices < 0)
+		return devices == -ENOMEM ? -ENOMEM : 0;
+	while ((node = node_next(device, devices, node)))
+		each(data, node);
+	drmFreeDevices(device, devices);
+	return 0;
+}
+
 /* ---- ioctls ---- */
 
 int accel_drm_node_error(int err)

@@ -16,6 +16,12 @@ int accel_drm_node_open(const char *where, char *path, size_t size,
 			struct accel_transport_error *error);
 
 /*
+ * Calls @each with the path of the render node of each Gloss board, in their order; none if it
+ * can not be known. -ENOMEM.
+ */
+int accel_drm_node_list(void (*each)(void *data, const char *path), void *data);
+
+/*
  * An ioctl, repeated when a signal interrupts it. 0, -ENOMEM (also of board memory), -ENODEV
  * (the board is gone), -EINVAL (the module does not take it), or -EIO for all else.
  */

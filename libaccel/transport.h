@@ -63,6 +63,12 @@ struct accel_transport_ops {
 	 */
 	int (*open)(const char *where, void **state, struct accel_transport_error *error);
 
+	/*
+	 * Calls @found as accel_device_list() says, with names that start with
+	 * the scheme. -ENOMEM. May be NULL: support for it is not built in.
+	 */
+	int (*list)(accel_device_list_fn found, void *data);
+
 	/* Ends the board's use. No job is outstanding. */
 	void (*close)(void *state);
 

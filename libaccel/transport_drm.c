@@ -144,6 +144,45 @@ static void transport_drm_close(void *state)
 	free(transport);
 }
 
+/* ---- listing ---- */
+
+struct drm_listing {
+	accel_device_list_fn found;
+	void *data;
+	int err;
+};
+
+/* Another program's use of the board does not mind one more that looks. */
+static void drm_list_node(void *data, const char *path)
+{
+	struct accel_transport_error error = { "" };
+	char name[PATH_MAX + sizeof("drm:")];
+	struct transport_drm *transport;
+	struct drm_listing *list = data;
+	void *state;
+	int err;
+
+	snprintf(name, sizeof(name), "drm:%s", path);
+	err = transport_drm_open(path, &state, &error);
+	if (err == -ENOMEM)
+		list->err = err;
+	if (err) {
+		list->found(list->data, name, *error.text ? error.text : strerror(-err));
+		return;
+	}
+	transport = state;
+	list->found(list->data, name, transport->info.name);
+	transport_drm_close(state);
+}
+
+static int transport_drm_list(accel_device_list_fn found, void *data)
+{
+	struct drm_listing list = { found, data, 0 };
+	int err = accel_drm_node_list(drm_list_node, &list);
+
+	return err ? err : list.err;
+}
+
 static void transport_drm_info(void *state, struct accel_transport_info *info)
 {
 	const struct transport_drm *transport = state;
@@ -402,6 +441,7 @@ static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns
 const struct accel_transport_ops accel_transport_drm = {
 	.scheme = "drm",
 	.open = transport_drm_open,
+	.list = transport_drm_list,
 	.close = transport_drm_close,
 	.info = transport_drm_info,
 	.memory_new = transport_drm_memory_new,

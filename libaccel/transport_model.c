@@ -54,6 +54,12 @@ err_free:
 	return err;
 }
 
+static int transport_model_list(accel_device_list_fn found, void *data)
+{
+	found(data, "model:", "C model, in this process");
+	return 0;
+}
+
 static void transport_model_close(void *state)
 {
 	struct transport_model *transport = state;
@@ -78,6 +84,7 @@ static void transport_model_info(void *state, struct accel_transport_info *info)
 const struct accel_transport_ops accel_transport_model = {
 	.scheme = "model",
 	.open = transport_model_open,
+	.list = transport_model_list,
 	.close = transport_model_close,
 	.info = transport_model_info,
 	.memory_new = accel_engine_memory_new,

@@ -218,6 +218,21 @@ err_free:
 	return err;
 }
 
+static int transport_sim_list(accel_device_list_fn found, void *data)
+{
+	struct accel_transport_error error = { "" };
+	struct transport_sim transport;
+	struct sim_options options;
+	int err = sim_parse("", &options, &error);
+
+	if (!err)
+		err = sim_load(&transport, options.tile, options.lanes, &error);
+	if (!err)
+		dlclose(transport.plugin);
+	found(data, "sim:", err ? error.text : "Verilated core, in this process");
+	return 0;
+}
+
 static void transport_sim_close(void *state)
 {
 	struct transport_sim *transport = state;
@@ -255,6 +270,7 @@ static void transport_sim_clocks(void *state, struct accel_device_clocks *clocks
 const struct accel_transport_ops accel_transport_sim = {
 	.scheme = "sim",
 	.open = transport_sim_open,
+	.list = transport_sim_list,
 	.close = transport_sim_close,
 	.info = transport_sim_info,
 	.memory_new = accel_engine_memory_new,

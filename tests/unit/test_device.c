@@ -86,6 +86,53 @@ static void the_model_counts_no_clocks(void **state)
 	accel_device_free(device);
 }
 
+struct listed {
+	char text[1024];
+	int count;
+};
+
+static void list_take(void *data, const char *name, const char *line)
+{
+	struct listed *listed = data;
+	size_t length = strlen(listed->text);
+
+	assert_true(*name && *line);
+	snprintf(listed->text + length, sizeof(listed->text) - length, "%s|%s\n", name, line);
+	listed->count++;
+}
+
+static void model_and_simulator_are_in_the_list(void **state)
+{
+	struct listed listed = { "", 0 };
+
+	(void)state;
+	assert_int_equal(accel_device_list(list_take, &listed), 0);
+	assert_true(listed.count >= 2);
+	assert_non_null(strstr(listed.text, "model:|C model, in this process\n"));
+	assert_non_null(strstr(listed.text, "sim:|"));
+}
+
+static void list_use(void *data, const char *name, const char *line)
+{
+	struct accel_device *device;
+
+	(void)line;
+	if (strcmp(name, "model:") != 0)
+		return;
+	assert_int_equal(accel_device_new(name, NULL, NULL, &device), 0);
+	accel_device_free(device);
+	++*(int *)data;
+}
+
+static void a_listed_device_can_be_opened_at_once(void **state)
+{
+	int opened = 0;
+
+	(void)state;
+	assert_int_equal(accel_device_list(list_use, &opened), 0);
+	assert_int_equal(opened, 1);
+}
+
 static void free_takes_null(void **state)
 {
 	(void)state;
@@ -239,6 +286,8 @@ int main(void)
 		cmocka_unit_test(a_board_opens_without_a_name_or_a_colon),
 		cmocka_unit_test(a_wrong_name_is_refused_and_said),
 		cmocka_unit_test(the_model_counts_no_clocks),
+		cmocka_unit_test(model_and_simulator_are_in_the_list),
+		cmocka_unit_test(a_listed_device_can_be_opened_at_once),
 		cmocka_unit_test(free_takes_null),
 		cmocka_unit_test(objects_outlive_the_name_of_their_device),
 		cmocka_unit_test(a_message_function_may_call_the_library),

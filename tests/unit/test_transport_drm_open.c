@@ -269,6 +269,44 @@ static void auto_says_why_a_board_that_is_there_is_not_taken(void **state)
 	accel_device_free(device);
 }
 
+struct listed {
+	char text[1024];
+	int count;
+};
+
+static void list_take(void *data, const char *name, const char *line)
+{
+	struct listed *listed = data;
+	size_t length = strlen(listed->text);
+
+	if (strncmp(name, "drm:", 4) != 0)
+		return;
+	snprintf(listed->text + length, sizeof(listed->text) - length, "%s|%s\n", name, line);
+	listed->count++;
+}
+
+static void every_board_is_listed_with_what_it_is_or_why_not(void **state)
+{
+	struct listed listed = { "", 0 };
+
+	(void)state;
+	add_node(1, "i915");
+	add_node(2, "gloss");
+	fake_gloss.node[2].open_error = ENXIO;
+	assert_int_equal(accel_device_list(list_take, &listed), 0);
+	assert_string_equal(listed.text,
+			    "drm:/dev/dri/renderD128|Gloss PCI board /dev/dri/renderD128, "
+			    "64-pixel tiles, 8 lanes\n"
+			    "drm:/dev/dri/renderD130|/dev/dri/renderD130: No such device or "
+			    "address\n");
+	assert_int_equal(fake_gloss.files, 0);
+	assert_int_equal(fake_gloss.left, 0);
+	fake_gloss.node[0].present = fake_gloss.node[2].present = false;
+	listed.count = 0;
+	assert_int_equal(accel_device_list(list_take, &listed), 0);
+	assert_int_equal(listed.count, 0);
+}
+
 #define drm_test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void)
@@ -289,6 +327,7 @@ int main(void)
 		drm_test(a_board_of_another_version_is_refused),
 		drm_test(a_module_that_answers_otherwise_is_refused),
 		drm_test(auto_takes_the_model_without_a_board_and_says_nothing),
+		drm_test(every_board_is_listed_with_what_it_is_or_why_not),
 		drm_test(auto_says_why_a_board_that_is_there_is_not_taken),
 	};
 
