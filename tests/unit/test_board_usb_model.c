@@ -154,12 +154,51 @@ static void reset_leaves_memory_as_it_is(void **state)
 	usb_host_fini(&host);
 }
 
+/* Heads, slots and streams with bits wrong at random, then a right job after a reset. */
+static void any_words_do_no_harm_after_a_reset(void **state)
+{
+	uint64_t seed = test_seed();
+
+	(void)state;
+	for (uint64_t n = 0; n < 400; n++) {
+		const struct gloss_usb_board_ops *ops = boards[n % 2];
+		uint64_t random = seed + n;
+		struct gloss_status status;
+		struct usb_host host;
+
+		stream_random_valid(&job, seed + n, (int)ops->tile_size);
+		stream_random_memory(board_memory, sizeof(board_memory), seed + n);
+		start(&host, ops, 1);
+		usb_host_job(&host, &job.job, GLOSS_SLOTS, 1);
+		usb_host_job(&host, &job.job, GLOSS_SLOTS, 2);
+		for (uint32_t flips = 1 + test_below(&random, 3); flips; flips--) {
+			uint32_t behind = host.out.count - GLOSS_USB_SYNC_WORDS;
+			uint32_t most = test_below(&random, 2) ? 68 : behind;
+
+			host.out.word[GLOSS_USB_SYNC_WORDS + test_below(&random, most)] ^=
+				1u << test_below(&random, 32);
+		}
+		finish(&host, 1);
+		assert_true(usb_host_reset(&host, 2));
+		memcpy(memory, board_memory, sizeof(memory));
+		status = run_alone((int)ops->tile_size);
+		usb_host_sync(&host, 2);
+		usb_host_job(&host, &job.job, GLOSS_SLOTS, 3);
+		finish(&host, 2);
+		assert_same(&host, 3, &status);
+		assert_true(usb_host_empty(&host));
+		assert_memory_equal(board_memory, memory, sizeof(memory));
+		usb_host_fini(&host);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_jobs_end_as_without_a_port),
 		cmocka_unit_test(board_says_what_it_is),
 		cmocka_unit_test(slots_that_leave_memory_are_the_memorys_fault),
+		cmocka_unit_test(any_words_do_no_harm_after_a_reset),
 		cmocka_unit_test(reset_leaves_memory_as_it_is),
 	};
 
