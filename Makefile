@@ -47,6 +47,7 @@ include libaccel/model/model.mk
 include libaccel/draw.mk
 include libaccel/libaccel.mk
 include tools/view.mk
+include tools/info.mk
 include rtl/raster/raster.mk
 include rtl/command/command.mk
 include rtl/tile/tile.mk
