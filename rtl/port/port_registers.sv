@@ -59,10 +59,11 @@ module port_registers #(
   logic [3:0] fault_cause_q;
   logic [31:0] fault_offset_q, fault_sequence_q;
 
+  logic [3:0] moved_q;
   logic [31:0] progress_q, jobs_q;
   gloss_pkg::time_counters_t sums_q;
-  logic [32:0] clocks;
-  logic [31:0] clocks_high_q;
+  logic clocks_carry, clocks_carry_q;
+  logic [31:0] clocks, clocks_high_q;
 
   assign address_o = {reg_addr_i[15:2], 2'b00};
   assign reg_ready_o = ready_q;
@@ -121,20 +122,24 @@ module port_registers #(
     end
   end
 
-  assign clocks = {1'b0, sums_q.clocks} + {1'b0, time_i.clocks};
+  assign {clocks_carry, clocks} = {1'b0, sums_q.clocks} + {1'b0, time_i.clocks};
 
   always_ff @(posedge clk_i or negedge core_rst_ni) begin
     if (!core_rst_ni) begin
+      moved_q <= '0;
       progress_q <= '0;
       jobs_q <= '0;
+      clocks_carry_q <= 1'b0;
       clocks_high_q <= '0;
       sums_q <= '0;
     end else begin
-      progress_q <= progress_q + 32'(stream_taken_i) + 32'(response_taken_i);
+      moved_q <= 4'(stream_taken_i) + response_taken_i;
+      progress_q <= progress_q + 32'(moved_q);
+      clocks_carry_q <= done_i && clocks_carry;
+      clocks_high_q <= clocks_high_q + 32'(clocks_carry_q);
       if (done_i) begin
         jobs_q <= jobs_q + 1'b1;
-        sums_q.clocks <= clocks[31:0];
-        clocks_high_q <= clocks_high_q + 32'(clocks[32]);
+        sums_q.clocks <= clocks;
         sums_q.stall_stream <= sums_q.stall_stream + time_i.stall_stream;
         sums_q.stall_raster <= sums_q.stall_raster + time_i.stall_raster;
         sums_q.stall_tile <= sums_q.stall_tile + time_i.stall_tile;

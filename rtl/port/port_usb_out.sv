@@ -56,14 +56,13 @@ module port_usb_out #(
   logic [1:0] place_q, lane;    // where the next word of a message, of a beat is
   logic fourth;
 
-  logic fresh_q;                // the newest word has just come
-  logic synchronised;
+  logic synchronised_q;         // by the word that came last
 
   // Only its first word is seen as such.
   // verilator lint_off UNUSEDSIGNAL
   gloss_pkg::usb_job_t head;
   // verilator lint_on UNUSEDSIGNAL
-  logic head_right;
+  logic head_right, head_wrong_q;   // by the word that came last
   logic [4:0] slots_q, index_q;
   logic slot_sent, slot_next, slot_write_q, slot_sent_q;
   // verilator lint_off UNUSEDSIGNAL
@@ -72,6 +71,7 @@ module port_usb_out #(
 
   logic [31:0] sequence_q, room_q;
   logic [31:0] left_q;          // of the stream, not in the window
+  logic more_q;                 // left_q is not 0
   logic pad, move, beat_ends, beat_q;
   logic [2:0] words_q;          // of the stream that are in the beat
 
@@ -81,8 +81,6 @@ module port_usb_out #(
 
   // ---- usb_sync ----
   assign sync_o = window_q;
-  assign synchronised = fresh_q && nonce_i != '0 &&
-                        window_q == {~gloss_pkg::UsbSyncMagic, ~nonce_i, nonce_i, gloss_pkg::UsbSyncMagic};
   assign echo_o = state_q == Echo;
 
   // ---- usb_job ----
@@ -108,7 +106,7 @@ module port_usb_out #(
   assign job_response_words_o = room_q;
   assign lane = place_q & 2'(Lanes - 1);
   assign move = state_q == Run && (!beat_q || stream_ready_i);
-  assign pad = move && left_q == '0 && lane != '0;
+  assign pad = move && !more_q && lane != '0;
   assign beat_ends = lane == 2'(Lanes - 1);
   assign stream_valid_o = beat_q;
   assign stream_data_o = window_q[127 -: StreamBits];
@@ -117,24 +115,25 @@ module port_usb_out #(
   assign idle_o = state_q == Search || state_q == Lost || (state_q == Rest && !word_valid_i);
   assign running_o = state_q == Run;
   assign lost_o = state_q == Lost;
-  assign lost_event_o = state_q == Rest && state_d == Lost;
+  assign lost_event_o = state_q == Head && head_wrong_q;
 
   always_comb begin
     state_d = state_q;
     word_ready_o = 1'b0;
     unique case (state_q)
       Search: begin
-        word_ready_o = !synchronised;
-        if (synchronised) state_d = Echo;
+        word_ready_o = !synchronised_q;
+        if (synchronised_q) state_d = Echo;
       end
       Echo: if (echoed_i) state_d = Rest;
       Rest: begin
         word_ready_o = 1'b1;
-        if (word_valid_i) state_d = head_right ? Head : Lost;
+        if (word_valid_i) state_d = Head;
       end
       Head: begin
-        word_ready_o = 1'b1;
-        if (fourth) state_d = Slots;
+        word_ready_o = !head_wrong_q;
+        if (head_wrong_q) state_d = Lost;
+        else if (fourth) state_d = Slots;
       end
       Slots: begin
         word_ready_o = slot_sent;
@@ -142,7 +141,7 @@ module port_usb_out #(
       end
       Start: if (job_valid_o && job_ready_i) state_d = Run;
       Run: begin
-        word_ready_o = move && left_q != '0;
+        word_ready_o = move && more_q;
         if (completed_i) state_d = Rest;
       end
       Lost: word_ready_o = 1'b1;
@@ -152,12 +151,18 @@ module port_usb_out #(
 
   always_ff @(posedge clk_i) begin
     if (state_q == Rest) slots_q <= head.slots;
-    if (state_q == Head && fourth) begin
+    // The last time it is with the fourth word before it.
+    if (state_q == Head) begin
       sequence_q <= window_q[95:64];
       room_q <= word_i;
     end
-    if (state_q == Head && fourth) left_q <= window_q[127:96];
-    else if (state_q == Run && take) left_q <= left_q - 1'b1;
+    if (state_q == Head) begin
+      left_q <= window_q[127:96];
+      more_q <= window_q[127:96] != '0;
+    end else if (state_q == Run && take) begin
+      left_q <= left_q - 1'b1;
+      more_q <= left_q != 32'd1;
+    end
     if (shift) words_q <= (lane == '0 ? '0 : words_q) + 3'(take);
     slot_sent_q <= slot_sent;
   end
@@ -166,7 +171,8 @@ module port_usb_out #(
     if (!rst_ni) begin
       state_q <= Search;
       window_q <= '0;
-      fresh_q <= 1'b0;
+      synchronised_q <= 1'b0;
+      head_wrong_q <= 1'b0;
       place_q <= '0;
       index_q <= '0;
       slot_write_q <= 1'b0;
@@ -174,8 +180,10 @@ module port_usb_out #(
     end else begin
       state_q <= state_d;
       if (shift) window_q <= {word_i, window_q[127:32]};
-      fresh_q <= take;
-      if (state_d == Rest) place_q <= '0;
+      head_wrong_q <= state_q == Rest && take && !head_right;
+      synchronised_q <= take && nonce_i != '0 &&
+                        {word_i, window_q[127:32]} == {~gloss_pkg::UsbSyncMagic, ~nonce_i, nonce_i, gloss_pkg::UsbSyncMagic};
+      if (state_q == Rest) place_q <= 2'(take);
       else if (shift) place_q <= place_q + 1'b1;
       if (state_q == Head) index_q <= '0;
       else if (slot_next) index_q <= index_q + 1'b1;
