@@ -12,6 +12,12 @@ static unsigned int number(const struct fake_bridge *bridge)
 	return (unsigned int)(bridge - fake.bridge);
 }
 
+static void bridge_empty(struct fake_bridge *bridge)
+{
+	bridge->out_count = bridge->packet_count = 0;
+	bridge->empty_follows = false;
+}
+
 /* ---- faults ---- */
 
 bool fake_bridge_fault(struct fake_bridge *bridge, enum fake_usb_fault fault)
@@ -19,7 +25,9 @@ bool fake_bridge_fault(struct fake_bridge *bridge, enum fake_usb_fault fault)
 	if (!bridge->at[fault] || --bridge->at[fault])
 		return false;
 	fake_usb.fired++;
-	fake.hurry = true;
+	/* Of these nobody has to find out by waiting. */
+	if (fault != FAKE_USB_SHORT_IN && fault != FAKE_USB_EMPTY_IN)
+		fake.hurry = true;
 	return true;
 }
 
@@ -29,7 +37,7 @@ static bool bridge_packet(struct fake_bridge *bridge)
 	if (fake_bridge_fault(bridge, FAKE_USB_GLITCH)) {
 		bridge->ops->reset(bridge->board);
 		if (fake_below(2))
-			bridge->out_count = bridge->packet_count = 0;
+			bridge_empty(bridge);
 	}
 	if (fake_bridge_fault(bridge, FAKE_USB_KILL)) {
 		fake_device_kill();
@@ -45,12 +53,6 @@ static bool bridge_packet(struct fake_bridge *bridge)
 }
 
 /* ---- plugging ---- */
-
-static void bridge_empty(struct fake_bridge *bridge)
-{
-	bridge->out_count = bridge->packet_count = 0;
-	bridge->empty_follows = false;
-}
 
 static void bridge_make_board(struct fake_bridge *bridge)
 {
@@ -132,7 +134,7 @@ static void register_write(struct fake_bridge *bridge, uint32_t offset, uint32_t
 {
 	if (offset == GLOSS_REG_CONTROL && value & GLOSS_REG_CONTROL_RESET) {
 		bridge->hang_in = bridge->hang_out = false;
-		fake.hurry = bridge->value[FAKE_USB_DELAY];
+		fake.hurry = false;
 		fake_usb.resets++;
 		if (fake_bridge_fault(bridge, FAKE_USB_RESET_LASTS))
 			bridge->resets_last = bridge->value[FAKE_USB_RESET_LASTS];
@@ -146,6 +148,7 @@ static uint32_t register_read(struct fake_bridge *bridge, uint32_t offset)
 
 	if (offset == GLOSS_REG_CONTROL && bridge->resets_last) {
 		bridge->resets_last--;
+		fake.hurry = true;
 		value |= GLOSS_REG_CONTROL_RESET;
 	}
 	return value;
@@ -176,7 +179,11 @@ static bool control_fault(struct fake_bridge *bridge, enum fake_usb_fault fault,
 {
 	if (fake_bridge_fault(bridge, fault))
 		*left = bridge->value[fault] + 1;
-	return *left && (*left)--;
+	if (!*left)
+		return false;
+	--*left;
+	fake.hurry = true;
+	return true;
 }
 
 int fake_bridge_request(struct fake_bridge *bridge)
@@ -229,6 +236,7 @@ static void out_word(struct fake_bridge *bridge, uint32_t word)
 		bridge->garbage_out = bridge->value[FAKE_USB_GARBAGE_OUT] + 1;
 	if (bridge->garbage_out) {
 		bridge->garbage_out--;
+		fake.hurry = true;
 		word = fake_random();
 	}
 	bridge->out[(bridge->out_first + bridge->out_count++) % FAKE_OUT_WORDS] = word;
@@ -313,6 +321,7 @@ static void in_word(struct fake_bridge *bridge, struct fake_packet *packet, uint
 		bridge->garbage_in = bridge->value[FAKE_USB_GARBAGE_IN] + 1;
 	if (bridge->garbage_in) {
 		bridge->garbage_in--;
+		fake.hurry = true;
 		word = fake_random();
 	}
 	put_word(packet->byte + packet->bytes, word);
@@ -431,7 +440,7 @@ static bool in_packet(struct fake_bridge *bridge)
 		return false;
 	if (!transfer->public.actual_length && in_begin(bridge, transfer))
 		return true;
-	if (bridge_packet(bridge) && packet_take(bridge, &packet))
+	if (bridge_packet(bridge) && bridge->packet_count && packet_take(bridge, &packet))
 		in_deliver(bridge, transfer, &packet);
 	return true;
 }

@@ -62,18 +62,25 @@ static bool real_wait(pthread_cond_t *cond, pthread_mutex_t *mutex, int64_t ns)
 	return __real_pthread_cond_clockwait(cond, mutex, CLOCK_MONOTONIC, &until) != ETIMEDOUT;
 }
 
-void fake_clock_wait(int64_t deadline)
+void fake_clock_wait(int64_t deadline, int64_t due)
 {
-	bool hurry = fake.hurry || fake.leap_always;
-	int64_t left = deadline - fake_usb_now_ns();
+	int64_t now = fake_usb_now_ns(), wait = deadline - now, leap = wait;
 
-	if (left > (hurry ? LEAP_AFTER_NS : NS_PER_S))
-		left = hurry ? LEAP_AFTER_NS : NS_PER_S;
-	if (left <= 0 || real_wait(&fake.changed, &fake.lock, left) || !hurry)
-		return;
-	left = deadline - fake_usb_now_ns();
-	if (left > 0)
-		fake_clock_leap(left < LEAP_NS ? left : LEAP_NS);
+	if (leap > due - now)
+		leap = due - now;
+	else if (leap > LEAP_NS)
+		leap = LEAP_NS;
+	if (due == INT64_MAX && !fake.hurry && !fake.leap_always)
+		leap = 0;
+	if (wait > (leap ? LEAP_AFTER_NS : NS_PER_S))
+		wait = leap ? LEAP_AFTER_NS : NS_PER_S;
+	if (wait > 0 && !real_wait(&fake.changed, &fake.lock, wait) && leap > 0)
+		fake_clock_leap(leap);
+}
+
+void fake_clock_stand_by(void)
+{
+	real_wait(&fake.changed, &fake.lock, SLICE_NS);
 }
 
 /* ---- in place of the C library's ---- */

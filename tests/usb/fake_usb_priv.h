@@ -119,8 +119,13 @@ int fake_call(const char *function);
 /* ---- time ---- */
 
 void fake_clock_leap(int64_t ns);
-/* Waits for changed, until @deadline at most; gives up the lock meanwhile. */
-void fake_clock_wait(int64_t deadline);
+/*
+ * Waits for changed, until @deadline at most; gives up the lock meanwhile. If nobody does
+ * anything, time leaps to @due (INT64_MAX: nothing is), and in a hurry further.
+ */
+void fake_clock_wait(int64_t deadline, int64_t due);
+/* Waits for changed for a while, without leaping: somebody else may be at work. */
+void fake_clock_stand_by(void);
 
 /* ---- devices; called with the lock held ---- */
 

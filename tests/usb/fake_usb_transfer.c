@@ -288,7 +288,7 @@ static bool dispatch(struct libusb_context *context)
 	return any;
 }
 
-/* Ends what waits for too long; the time of the next such thing, or that of a callback. */
+/* Ends what waits for too long; when the next of those would be. */
 static int64_t time_out(void)
 {
 	int64_t now = fake_usb_now_ns(), next = INT64_MAX;
@@ -303,10 +303,17 @@ static int64_t time_out(void)
 				else if (transfer->deadline < next)
 					next = transfer->deadline;
 			}
-	for (transfer = fake.ended.first; transfer; transfer = transfer->next)
-		if (transfer->due < next)
-			next = transfer->due;
 	return next;
+}
+
+static int64_t next_due(void)
+{
+	int64_t due = INT64_MAX;
+
+	for (struct fake_transfer *transfer = fake.ended.first; transfer; transfer = transfer->next)
+		if (transfer->due < due)
+			due = transfer->due;
+	return due;
 }
 
 /* Others may want the lock. */
@@ -338,7 +345,7 @@ static void events_handle(struct libusb_context *context, int64_t deadline, cons
 		if (moved)
 			give_way();
 		else
-			fake_clock_wait(next < deadline ? next : deadline);
+			fake_clock_wait(next < deadline ? next : deadline, next_due());
 	}
 	context->interrupted = false;
 	context->handled = false;
@@ -351,7 +358,7 @@ static void events_wait(struct libusb_context *context, int64_t deadline, const 
 
 	while (context->handled && fake_usb.callbacks == callbacks &&
 	       !is_completed(completed) && fake_usb_now_ns() < deadline)
-		fake_clock_wait(deadline);
+		fake_clock_stand_by();
 }
 
 int fake_events(struct libusb_context *context, int64_t timeout_ns, int *completed)

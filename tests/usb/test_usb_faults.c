@@ -291,7 +291,9 @@ static void run_case(struct test *test)
 	if (device && !fault_ends_host(&fault) && err != -ENODEV)
 		recover(test, device, &seed);
 	/* A dead host can not close its board; what is left of it here may do so later. */
-	if (fault.kind != FAKE_USB_KILL)
+	if (fault.kind == FAKE_USB_KILL)
+		fake_usb_kill();
+	else
 		accel_device_free(device);
 	if (!fake_usb.board[0].present)
 		fake_usb_plug(0, below(&seed, 2));
@@ -316,7 +318,7 @@ static int report(const struct test *t)
 {
 	unsigned int cases = 0, fired = 0;
 
-	printf("%-16s %6s %6s %6s %6s %6s %6s\n", "fault", "cases", "came", "right", "EIO",
+	printf("%-16s %6s %6s %6s %6s %6s %6s\n", "fault", "cases", "came", "fine", "EIO",
 	       "ENODEV", "other");
 	for (int kind = 1; kind <= CALL; kind++) {
 		const struct count *c = &t->count[kind];
