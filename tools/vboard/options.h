@@ -7,6 +7,8 @@
 #include <stdint.h>
 
 #include "faults.h"
+#include "usb_descriptors.h"
+#include "usb_faults.h"
 
 #define VBOARD_BOARDS 8
 #define VBOARD_OPTIONS 24		/* of a board, at most */
@@ -25,6 +27,11 @@ struct vboard_options_board {
 		uint32_t slot;		/* VBOARD_NO_SLOT: not given */
 		struct vboard_faults_armed armed;
 	} pci;
+	struct {
+		bool super;		/* speed */
+		char serial[VBOARD_USB_SERIAL_MAX + 1];
+		struct vboard_usb_faults_armed armed;
+	} usb;
 };
 
 /* What one program takes and another does not. */
@@ -35,7 +42,7 @@ struct vboard_program {
 	enum vboard_exit (*parse)(struct vboard_options_board *board, const char *text);
 };
 
-extern const struct vboard_program vboard_program_pci;
+extern const struct vboard_program vboard_program_pci, vboard_program_usb;
 
 struct vboard_options {
 	const struct vboard_program *program;

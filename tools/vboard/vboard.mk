@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: MIT
-# The virtual board: what stands in for a PCI board in a virtual machine.
+# The virtual boards: what stands in for a PCI board and for a USB board in a virtual machine.
 
-VBOARD_OBJECTS := $(addprefix $(BUILD)/tools/vboard/, config.o door_pci.o faults.o load.o loop.o \
-	memory.o message.o options.o options_pci.o qtest.o serve.o)
+VBOARD_SERVE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/, load.o loop.o options.o serve.o)
+VBOARD_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, config.o door_pci.o \
+	faults.o memory.o message.o options_pci.o qtest.o)
+VBOARD_USB_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, door_usb.o \
+	options_usb.o usb_bridge.o usb_control.o usb_descriptors.o usb_faults.o usb_queue.o)
 VBOARD_MAIN := $(BUILD)/tools/vboard/vboard-pci.o
+VBOARD_USB_MAIN := $(BUILD)/tools/vboard/vboard-usb.o
+VBOARD_ALL := $(sort $(VBOARD_OBJECTS) $(VBOARD_USB_OBJECTS) $(VBOARD_MAIN) $(VBOARD_USB_MAIN))
+VBOARD_USB_LIBS := -lusbredirparser
 
 # The model of the port and the board (BOARD_MODEL_OBJECTS), and the Verilated board.
 include $(wildcard tools/vboard/board.mk)
 
-$(VBOARD_OBJECTS) $(VBOARD_MAIN): $(BUILD)/%.o: %.c
+$(VBOARD_ALL): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver $(CFLAGS) -pthread -MMD -MP -c $< -o $@
@@ -22,7 +28,12 @@ $(BUILD)/vboard-pci: $(VBOARD_MAIN) $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS) \
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(ACCEL_LIBS) -o $@
 
--include $(VBOARD_OBJECTS:.o=.d) $(VBOARD_MAIN:.o=.d)
+$(BUILD)/vboard-usb: $(VBOARD_USB_MAIN) $(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS) \
+		$(BUILD)/libaccel/parts.a
+	$(call quiet,LD,$@)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(VBOARD_USB_LIBS) $(ACCEL_LIBS) -o $@
+
+-include $(VBOARD_ALL:.o=.d)
 
 # Unit tests, of its files and of a board in its slot.
 VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_vboard_faults \
@@ -58,4 +69,4 @@ install-vboard: $(BUILD)/vboard-pci
 INSTALLS += install-vboard
 
 LINT_C += -Idriver
-ALL += $(BUILD)/vboard-pci
+ALL += $(BUILD)/vboard-pci $(BUILD)/vboard-usb
