@@ -46,7 +46,7 @@ $(BUILD)/tests/vm/list: FORCE
 
 .PHONY: vm-programs check-vm check-kasan bench-drm FORCE
 vm-programs: $(VM_PROGRAMS) $(VM_NEEDS) $(BUILD)/tests/vm/runner $(BUILD)/tests/vm/list \
-	$(BUILD)/vboard-pci $(BOARD_RTL_PLUGIN) ## what runs in the virtual machine, and its boards
+	$(BUILD)/vboard-pci $(BUILD)/vboard-usb $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN) ## what runs in the virtual machine, and its boards
 
 check-vm: vm-programs $(MODULE) ## the driver on virtual boards, in a virtual machine
 	$(Q)tests/vm/run --build $(BUILD)

@@ -112,6 +112,7 @@ void board_event(void)
 	}
 	if (dir)
 		closedir(dir);
+	usb_own(render);
 }
 
 int board_open(unsigned int group_render)

@@ -148,6 +148,17 @@ static bool run_step(const char *name, char *const *argv, const char *(*check)(v
 	return tell(name, &program, wrong);
 }
 
+static bool find_usb_boards(void)
+{
+	int left = NODE_MS * plan.slow;
+
+	while (usb_own(render) < USB_BOARDS && left > 0) {
+		usleep(10 * 1000);
+		left -= 10;
+	}
+	return left > 0;
+}
+
 static const char *check_boards(void)
 {
 	const char *const nodes[] = { "GLOSS_NODE_RTL", "GLOSS_NODE_MODEL" };
@@ -158,7 +169,9 @@ static const char *check_boards(void)
 		setenv(nodes[i], boards[i].node, 1);
 		setenv(pci[i], boards[i].pci, 1);
 	}
-	return found == BOARDS ? NULL : "a board has no render node";
+	if (found < BOARDS)
+		return "a board has no render node";
+	return find_usb_boards() ? NULL : "a board on USB is not there";
 }
 
 static bool load(void)
@@ -250,7 +263,8 @@ static void run_shell(void)
 	ioctl(STDIN_FILENO, TIOCSWINSZ, &size);
 	setenv("TERM", plan.term, 1);
 	setenv("PS1", "gloss-vm# ", 1);
-	printf("Boards: $GLOSS_NODE_RTL is %s, $GLOSS_NODE_MODEL is %s.\n"
+	printf("Boards: $GLOSS_NODE_RTL is %s, $GLOSS_NODE_MODEL is %s, and on USB there are\n"
+	       "$GLOSS_USB_RTL and $GLOSS_USB_MODEL.\n"
 	       "Tests: %s/tests/vm. The host's files: /host. exit ends the machine.\n",
 	       boards[0].node, boards[1].node, plan.build);
 	program_run(&shell, log_fd, board_fd);
@@ -269,6 +283,8 @@ static void set_up(void)
 	setenv("GLOSS_BUILD", plan.build, 1);
 	setenv("GLOSS_DRIVER", plan.driver, 1);
 	setenv("GLOSS_SLOW", plan.slow_text, 1);
+	setenv("GLOSS_USB_RTL", "usb:1209:0001/RTL0", 1);
+	setenv("GLOSS_USB_MODEL", "usb:1209:0001/MODEL0", 1);
 	if (plan.seed)
 		setenv("GLOSS_SEED", plan.seed, 1);
 	/* What a test leaves behind becomes a child of this process. */

@@ -5,7 +5,8 @@
  *
  * plan.c	what the launcher (tests/vm/run) wants
  * log.c	the kernel's log: what in it nobody announced
- * board.c	the boards: where they are, and their nodes' owners, as udev would set them
+ * board.c	the boards in slots: where they are, and their nodes' owners, as udev would set them
+ * usb.c	the boards on USB: their nodes' owners
  * program.c	runs a program and waits for it
  * debug.c	what the kernel of make check-kasan found
  * runner.c	the order of all this
@@ -19,6 +20,7 @@
 #define PLAN_MODULES 8
 #define PLAN_TESTS   128
 #define BOARDS	     2
+#define USB_BOARDS   2
 
 struct plan_test {
 	char *name;
@@ -62,6 +64,9 @@ int board_open(unsigned int group_render);
 void board_event(void);
 /* Finds the boards that have a node, waiting for all at most @ms; returns how many. */
 int board_find(struct board *boards, int ms);
+
+/* Sets owner and mode of the boards' nodes; returns how many have one. */
+int usb_own(unsigned int group_render);
 
 struct program {
 	char *const *argv;
