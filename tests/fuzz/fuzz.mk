@@ -22,23 +22,23 @@ $(BUILD)/fuzz/fuzz_corpus: tests/fuzz/fuzz_corpus.c tests/fuzz/fuzz_input.h $(ST
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/stream $(CFLAGS) $< $(STREAM_RANDOM_OBJS) -o $@
 
-# Runs the fuzzer with $(1) on corpus $(2), which begins with random jobs of the same seed. A
-# failing input is left in $(BUILD)/fuzz; `fuzz_stream FILE` runs it alone.
+# Runs fuzzer $(1) with $(2) on corpus $(3), which begins with what program $(4) makes of a seed. A
+# failing input is left in $(BUILD)/fuzz; the fuzzer runs it alone if that is all it is given.
 define fuzz_run
-	$(Q)mkdir -p $(2)
+	$(Q)mkdir -p $(3)
 	$(Q)seed=$${GLOSS_SEED:-$$(date +%s)}; echo "GLOSS_SEED=$$seed"; \
-	$(BUILD)/fuzz/fuzz_corpus $(2) $$seed 200 && \
-	$(BUILD)/fuzz/fuzz_stream -seed=$$((seed % 4294967295)) $(1) $(FUZZ_FLAGS) $(2) \
-		2>$(BUILD)/fuzz/log || { tail -n 60 $(BUILD)/fuzz/log; exit 1; }
-	$(Q)tail -n 1 $(BUILD)/fuzz/log
+	$(BUILD)/fuzz/$(4) $(3) $$seed 200 && \
+	$(BUILD)/fuzz/$(1) -seed=$$((seed % 4294967295)) $(2) $(FUZZ_FLAGS) $(3) \
+		2>$(BUILD)/fuzz/$(1).log || { tail -n 60 $(BUILD)/fuzz/$(1).log; exit 1; }
+	$(Q)tail -n 1 $(BUILD)/fuzz/$(1).log
 endef
 
 .PHONY: fuzz fuzz-short
 fuzz: $(FUZZ_PROGRAMS) ## streams of any bytes to model and decoder, FUZZ_SECONDS=60
-	$(call fuzz_run,-max_total_time=$(FUZZ_SECONDS),$(BUILD)/fuzz/corpus)
+	$(call fuzz_run,fuzz_stream,-max_total_time=$(FUZZ_SECONDS),$(BUILD)/fuzz/corpus,fuzz_corpus)
 
 fuzz-short: $(FUZZ_PROGRAMS)
 	$(Q)rm -rf $(BUILD)/fuzz/short
-	$(call fuzz_run,-runs=$(FUZZ_RUNS) -max_total_time=20,$(BUILD)/fuzz/short)
+	$(call fuzz_run,fuzz_stream,-runs=$(FUZZ_RUNS) -max_total_time=20,$(BUILD)/fuzz/short,fuzz_corpus)
 
 CHECKS += fuzz-short

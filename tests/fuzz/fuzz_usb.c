@@ -4,6 +4,7 @@
  * memory, runs jobs, waits and closes without an access outside, a hang or a leak. It is the
  * honest board (the C model) between whose words, registers and descriptors the input puts others.
  */
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

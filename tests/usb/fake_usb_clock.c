@@ -74,6 +74,8 @@ void fake_clock_wait(int64_t deadline, int64_t due)
 		leap = 0;
 	if (wait > (leap ? LEAP_AFTER_NS : NS_PER_S))
 		wait = leap ? LEAP_AFTER_NS : NS_PER_S;
+	if (fake.leap_always && wait > 0)
+		wait = 1;
 	if (wait > 0 && !real_wait(&fake.changed, &fake.lock, wait) && leap > 0)
 		fake_clock_leap(leap);
 }

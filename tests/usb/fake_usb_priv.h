@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * What the files of fake_usb.h share: the bus in fake_usb.c, time in fake_usb_clock.c, devices
- * and handles in fake_usb_device.c, transfers and events in fake_usb_transfer.c, calls made of
- * these in fake_usb_sync.c, the cable in fake_usb_bridge.c.
+ * in fake_usb_device.c, fake_usb_descriptor.c and, opened, fake_usb_handle.c; transfers and events
+ * in fake_usb_transfer.c, calls made of these in fake_usb_sync.c; the cable in fake_usb_bridge.c,
+ * and words on it in fake_usb_channel.c.
  */
 #ifndef FAKE_USB_PRIV_H
 #define FAKE_USB_PRIV_H
@@ -37,7 +38,7 @@ struct libusb_device {
 };
 
 struct libusb_device_handle {
-	bool used, dead;
+	bool used;
 	struct libusb_device *device;
 	bool claimed[FAKE_INTERFACES];
 };
@@ -129,6 +130,10 @@ void fake_clock_stand_by(void);
 
 /* ---- devices; called with the lock held ---- */
 
+struct libusb_device *fake_device_check(struct libusb_device *device, const char *function);
+bool fake_device_alive(const struct libusb_device *device);
+const struct fake_usb_board *fake_device_board(const struct libusb_device *device);
+void fake_device_put(struct libusb_device *device);
 struct fake_bridge *fake_handle_bridge(const struct libusb_device_handle *handle);
 void fake_handle_check(const struct libusb_device_handle *handle, const char *function);
 bool fake_handle_alive(const struct libusb_device_handle *handle);
@@ -162,7 +167,18 @@ bool fake_bridge_pump(void);
 bool fake_bridge_fault(struct fake_bridge *bridge, enum fake_usb_fault fault);
 void fake_bridge_unplug(struct fake_bridge *bridge);
 void fake_bridge_plug(struct fake_bridge *bridge, bool power);
+/* A packet of any kind is about to move; false: not any more. */
+bool fake_bridge_packet(struct fake_bridge *bridge);
+uint32_t fake_get_word(const uint8_t *byte);
+void fake_put_word(uint8_t *byte, uint32_t word);
 /* A request that takes no transfer, as for a string: 0 or the error. */
 int fake_bridge_request(struct fake_bridge *bridge);
+
+/* A step each, of those that make up a round; false: nothing moved. */
+bool fake_out_pump(struct fake_bridge *bridge);		/* transfers to the bridge */
+bool fake_out_offer(struct fake_bridge *bridge);	/* and to the port */
+bool fake_in_take(struct fake_bridge *bridge);		/* from the port */
+bool fake_in_pump(struct fake_bridge *bridge);		/* and to transfers */
+bool fake_event_pump(struct fake_bridge *bridge);
 
 #endif

@@ -118,7 +118,12 @@ static struct fault fault_choose(uint64_t *seed)
 	fault.at = any_size(seed, fault_bits(fault.kind));
 	fault.value = fault_value(fault.kind, seed);
 	fault.error = -1 - (int)below(seed, 12);
-	fault.early = fault.kind == FAKE_USB_RESET_LASTS || below(seed, 4) == 0;
+	fault.early = below(seed, 4) == 0;
+	/* Most requests are made while a board is opened. */
+	if (fault.kind == FAKE_USB_RESET_LASTS ||
+	    ((fault.kind == FAKE_USB_REFUSE_CONTROL || fault.kind == FAKE_USB_HANG_CONTROL) &&
+	     below(seed, 4)))
+		fault.early = true;
 	return fault;
 }
 

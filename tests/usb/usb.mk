@@ -2,8 +2,9 @@
 # "usb:" on a libusb of our own, with boards on the C model: see tests/usb/fake_usb.h.
 
 # A test that links FAKE_USB_OBJS and FAKE_USB_LDFLAGS leaves the real libusb out.
-FAKE_USB_SOURCES := $(addprefix tests/usb/, fake_usb.c fake_usb_bridge.c fake_usb_clock.c \
-	fake_usb_device.c fake_usb_sync.c fake_usb_transfer.c)
+FAKE_USB_SOURCES := $(addprefix tests/usb/, fake_usb.c fake_usb_bridge.c fake_usb_channel.c \
+	fake_usb_clock.c fake_usb_descriptor.c fake_usb_device.c fake_usb_handle.c fake_usb_sync.c \
+	fake_usb_transfer.c)
 FAKE_USB_OBJS := $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o) $(BOARD_USB_MODEL_OBJECTS)
 FAKE_USB_CFLAGS := -Idriver -Itools/vboard -Itests/usb -Itests/unit -Itests/stream
 FAKE_USB_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, clock_gettime pthread_cond_timedwait \
@@ -15,7 +16,7 @@ $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o): $(BUILD)/%.o: %.c
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
 
 # Tests in tests/usb; those in tests/unit that want the fake are in USB_UNIT_TESTS.
-USB_TESTS := test_fake_usb test_usb_faults
+USB_TESTS := test_fake_usb test_usb_faults test_usb_errors
 
 $(USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/usb/%.c
 $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
@@ -44,3 +45,4 @@ $(BUILD)/tests/unit/test_usb_faults: $(USB_TRIAL_OBJ)
 
 UNIT_TESTS += test_fake_usb
 SANITIZED_TESTS += test_fake_usb
+include tests/fuzz/fuzz_usb.mk
