@@ -118,7 +118,7 @@ private:
 
 	void sample_slot(const Top &top)
 	{
-		TB_CHECK(!running, "a slot is written while a job runs");
+		TB_CHECK(!running && !top.job_valid_o, "a slot is written while a job starts or runs");
 		slots[top.slot_index_o] = { top.slot_base_o, top.slot_size_o, top.slot_rights_o };
 	}
 

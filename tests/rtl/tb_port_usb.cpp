@@ -221,6 +221,26 @@ static void chunks_end_at_each_border(UsbBench &bench)
 	}
 }
 
+/* Half of a stream, and half of its answer is a chunk: it leaves though nothing follows. */
+static void a_full_chunk_does_not_wait(UsbBench &bench)
+{
+	UsbJob job = bench.job(104, 2 * GLOSS_USB_CHUNK_WORDS);
+	uint64_t taken;
+
+	bench.kind();
+	bench.start();
+	bench.wait();
+	taken = bench.taken;
+	bench.send(job);
+	bench.out.resize(bench.out.size() - 52);
+	bench.drain();
+	taken = bench.taken - taken;
+	TB_CHECK(taken == 1 + GLOSS_USB_CHUNK_WORDS, "%" PRIu64 " words came", taken);
+	bench.out.assign(job.stream.end() - 52, job.stream.end());
+	bench.wait();
+	check_counters(bench);
+}
+
 /* When a usb_completion is there, the registers have its job. */
 static void registers_go_before_completions(UsbBench &bench)
 {
@@ -387,6 +407,25 @@ static void check_reset(UsbBench &bench)
 	TB_CHECK(bench.read(GLOSS_REG_STATUS) == idle && bench.read(GLOSS_REG_NONCE) == 0 &&
 		 bench.read(GLOSS_REG_PROGRESS) == 0 && bench.read(GLOSS_REG_JOBS) == 0 &&
 		 bench.read(GLOSS_REG_FAULT_CAUSE) == 0, "not as after power-on");
+	TB_CHECK(bench.events.empty(), "an event from before the reset");
+}
+
+/* What waits in the FIFO is from before the reset, even a sync that fits. */
+static void a_reset_empties_the_fifo(UsbBench &bench)
+{
+	bench.kind();
+	bench.start();
+	bench.wait();
+	bench.core.hung = true;
+	bench.send(bench.job(200, 0));
+	bench.out.resize(bench.out.size() - 100);
+	bench.send_sync(0x1234);
+	bench.drain();
+	bench.reset_port();
+	bench.write(GLOSS_REG_NONCE, 0x1234);
+	bench.clock(1000);
+	bench.start();
+	check_works(bench);
 }
 
 /*
@@ -542,12 +581,14 @@ int main(int argc, char **argv)
 	a_reset_forgets_half_a_sync(bench);
 	jobs_of_all_lengths_with_all_stalls(bench, rounds);
 	chunks_end_at_each_border(bench);
+	a_full_chunk_does_not_wait(bench);
 	registers_go_before_completions(bench);
 	a_torn_job_waits_for_its_rest(bench, 4 * rounds);
 	a_word_no_job_begins_with_loses_the_channel(bench, 3 * rounds);
 	four_events_wait(bench);
 	a_fault_does_not_wait_for_in(bench);
 	an_answer_nobody_takes_stops_out(bench);
+	a_reset_empties_the_fifo(bench);
 	reset_at_each_clock(bench);
 	reset_at_any_time(bench, 5 * rounds);
 	out_comes_a_word_a_clock(bench);
