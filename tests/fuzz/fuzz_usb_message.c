@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /*
  * Any words from a board, in any pieces, to the library's parser of them, for libFuzzer. It must
- * stay in the response, which AddressSanitizer watches, and find the same whatever the pieces are.
+ * stay in the response, which AddressSanitizer watches, and find what INTERFACE.md says, whatever
+ * the pieces are.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -84,6 +85,71 @@ static void run(struct outcome *outcome, const uint32_t *words, size_t count, si
 	check(outcome->syncs <= 1);
 }
 
+/* ---- the same, by who has all the words at once ---- */
+
+/* Where the words after the sync begin; 0: there is none. */
+static size_t find_sync(const uint32_t *words, size_t count)
+{
+	for (size_t n = 4; n <= count; n++)
+		if (words[n - 4] == GLOSS_USB_SYNC_MAGIC && words[n - 3] == FUZZ_MESSAGE_NONCE &&
+		    words[n - 2] == ~FUZZ_MESSAGE_NONCE && words[n - 1] == ~GLOSS_USB_SYNC_MAGIC)
+			return n;
+	return 0;
+}
+
+static bool is_completion(const struct accel_usb_answer *answer, const uint32_t *words,
+			  uint32_t answered)
+{
+	uint32_t cause = words[0] & 0xffff;
+
+	return cause <= GLOSS_FAULT_MEMORY && words[1] == answer->sequence &&
+	       (cause ? words[2] <= answer->stream_words : words[2] == answer->stream_words) &&
+	       words[3] == answered;
+}
+
+/* Reads job @outcome->ended; how many words it has, 0 if it does not end in these. */
+static size_t read_answer(struct outcome *outcome, const uint32_t *words, size_t count)
+{
+	struct accel_usb_answer *answer = &outcome->answer[outcome->ended];
+	uint32_t answered = 0, chunk = GLOSS_USB_CHUNK_WORDS;
+	size_t at = 0;
+
+	for (; at < count && words[at] >> 16 == GLOSS_USB_RESPONSE_MAGIC; at += 1 + chunk) {
+		bool first_or_full = chunk == GLOSS_USB_CHUNK_WORDS;
+
+		chunk = words[at] & 0xffff;
+		outcome->garbled = !first_or_full || !chunk || chunk > GLOSS_USB_CHUNK_WORDS ||
+				   chunk > answer->response_words - answered;
+		if (outcome->garbled || count - at - 1 < chunk)
+			return 0;
+		memcpy(answer->response + answered, words + at + 1, 4 * (size_t)chunk);
+		answered += chunk;
+	}
+	if (at == count)
+		return 0;
+	outcome->garbled = words[at] >> 4 != GLOSS_USB_COMPLETION_MAGIC << 12;
+	if (outcome->garbled || count - at < GLOSS_USB_COMPLETION_WORDS)
+		return 0;
+	outcome->garbled = !is_completion(answer, words + at, answered);
+	answer->status = (struct gloss_status){ (enum gloss_fault)(words[at] & 15), words[at + 2],
+						answered };
+	return outcome->garbled ? 0 : at + GLOSS_USB_COMPLETION_WORDS;
+}
+
+static void expect(struct outcome *outcome, const uint32_t *words, size_t count)
+{
+	size_t at = find_sync(words, count), job = 1;
+
+	outcome->syncs = at != 0;
+	while (at && at < count && job && outcome->ended < JOBS) {
+		job = read_answer(outcome, words + at, count - at);
+		at += job;
+		outcome->ended += job != 0;
+	}
+	if (at && at < count && outcome->ended == JOBS)
+		outcome->garbled = true;
+}
+
 static void check_same(const struct outcome *a, const struct outcome *b)
 {
 	check(a->ended == b->ended && a->syncs == b->syncs && a->garbled == b->garbled);
@@ -103,7 +169,7 @@ static void outcome_free(struct outcome *outcome)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	struct outcome whole, pieces;
+	struct outcome whole, pieces, expected;
 	uint32_t *words;
 	size_t count;
 
@@ -114,11 +180,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	memcpy(words, data + FUZZ_MESSAGE_HEAD_BYTES, 4 * count);
 	outcome_init(&whole, data + 1);
 	outcome_init(&pieces, data + 1);
+	outcome_init(&expected, data + 1);
 	run(&whole, words, count, count);
 	run(&pieces, words, count, 1u + data[0]);
-	check_same(&whole, &pieces);
+	expect(&expected, words, count);
+	check_same(&expected, &whole);
+	check_same(&expected, &pieces);
 	outcome_free(&whole);
 	outcome_free(&pieces);
+	outcome_free(&expected);
 	free(words);
 	return 0;
 }

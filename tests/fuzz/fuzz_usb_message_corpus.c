@@ -52,7 +52,7 @@ static void put_chunk(struct input *input, uint32_t count)
 
 static void put_job(struct input *input, uint32_t job, uint64_t *seed)
 {
-	uint8_t room = (uint8_t)below(seed, 256);
+	uint8_t room = (uint8_t)below(seed, below(seed, 3) ? 16 : 256);
 	uint32_t words = below(seed, FUZZ_MESSAGE_ROOM * room + 1u), left = words;
 	bool fault = below(seed, 4) == 0;
 
@@ -99,6 +99,8 @@ int main(int argc, char **argv)
 		put_sync(&input, &seed);
 		for (uint32_t job = 0; job < FUZZ_MESSAGE_JOBS; job++)
 			put_job(&input, job, &seed);
+		if (left % 8 == 0)
+			put_chunk(&input, 1);
 		if (left % 2)
 			input.word[below(&seed, input.count)] ^= 1u << below(&seed, 32);
 		snprintf(path, sizeof(path), "%s/%d", argv[1], left);
