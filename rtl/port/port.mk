@@ -45,7 +45,7 @@ PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
 PORT_TB_NEEDS := $(addprefix tests/rtl/,port_access.h port_core.h tb.h) \
 	driver/gloss_regs.h libaccel/gloss_packets.h
 PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h)
-PORT_TB_usb := $(addprefix tests/rtl/,tb_port_usb.cpp port_usb_bench.h)
+PORT_TB_usb := $(addprefix tests/rtl/,tb_port_usb.cpp tb_port_usb_faults.cpp port_usb_bench.h)
 
 # $(1): port, $(2): parameters, $(3): sources, $(4): flags for Verilator
 define port_bench
@@ -54,7 +54,7 @@ define port_bench
 	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_$(1) \
 		$(4) --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
 		-CFLAGS "$(call raster_define,$(2)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
-		$(3) $(CURDIR)/tests/rtl/tb_port_$(1).cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
+		$(3) $(abspath $(filter %.cpp,$(PORT_TB_$(1)))) >$(@D)/log || { cat $(@D)/log; exit 1; }
 endef
 
 # The same bench on what yosys reads. $(1): port

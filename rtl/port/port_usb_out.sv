@@ -55,7 +55,6 @@ module port_usb_out #(
   logic [127:0] window_q;
   logic [1:0] place_q, lane;    // where the next word of a message, of a beat is
   logic fourth;
-
   logic synchronised_q;         // by the word that came last
 
   // Only its first word is seen as such.
@@ -182,7 +181,8 @@ module port_usb_out #(
       if (shift) window_q <= {word_i, window_q[127:32]};
       head_wrong_q <= state_q == Rest && take && !head_right;
       synchronised_q <= take && nonce_i != '0 &&
-                        {word_i, window_q[127:32]} == {~gloss_pkg::UsbSyncMagic, ~nonce_i, nonce_i, gloss_pkg::UsbSyncMagic};
+                        {word_i, window_q[127:32]} ==
+                        {~gloss_pkg::UsbSyncMagic, ~nonce_i, nonce_i, gloss_pkg::UsbSyncMagic};
       if (state_q == Rest) place_q <= 2'(take);
       else if (shift) place_q <= place_q + 1'b1;
       if (state_q == Head) index_q <= '0;

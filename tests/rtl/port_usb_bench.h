@@ -36,6 +36,14 @@ public:
 	void kind() { stalls = core.stalls = false; }
 	void unkind() { stalls = core.stalls = true; }
 
+	void random_stalls()
+	{
+		if (random.chance(80))
+			unkind();
+		else
+			kind();
+	}
+
 	/* Resets the port, as a driver does, and forgets all jobs. Returns how long that took. */
 	uint64_t reset_port()
 	{
@@ -180,6 +188,53 @@ public:
 		}
 	}
 
+	/* What registers say when all is done. */
+	void check_counters()
+	{
+		static const uint32_t offsets[] = { GLOSS_REG_STALL_STREAM, GLOSS_REG_STALL_RASTER,
+						    GLOSS_REG_STALL_TILE, GLOSS_REG_STALL_MEMORY,
+						    GLOSS_REG_STALL_RESPONSE };
+		uint64_t sum;
+
+		TB_CHECK(read(GLOSS_REG_JOBS) == finished, "JOBS");
+		TB_CHECK(read(GLOSS_REG_PROGRESS) == progress, "PROGRESS");
+		sum = read(GLOSS_REG_CLOCKS_LOW) | (uint64_t)read(GLOSS_REG_CLOCKS_HIGH) << 32;
+		TB_CHECK(sum == time[0], "CLOCKS is %" PRIx64, sum);
+		for (int n = 0; n < 5; n++)
+			TB_CHECK(read(offsets[n]) == (uint32_t)time[1 + n], "stall counter %d", n);
+		TB_CHECK(read(GLOSS_REG_STATUS) == GLOSS_REG_STATUS_IDLE, "not idle when all is done");
+	}
+
+	/* A job, and all that can be seen of it. */
+	void check_works()
+	{
+		send(random_job());
+		wait();
+		check_counters();
+	}
+
+	/*
+	 * @jobs have ended: their faults, in their order, are the events; or, if not @all, some of
+	 * them are.
+	 */
+	void check_events(const std::deque<UsbJob> &jobs, bool all) const
+	{
+		std::deque<uint64_t> left = events;
+
+		for (const UsbJob &job : jobs) {
+			uint64_t event = (uint64_t)job.sequence << 32 | GLOSS_USB_EVENT_MAGIC << 16 |
+					 job.answer.cause;
+
+			if (!job.answer.cause)
+				continue;
+			if (!left.empty() && left.front() == event)
+				left.pop_front();
+			else
+				TB_CHECK(!all, "the fault of %08x is no event", job.sequence);
+		}
+		TB_CHECK(left.empty(), "an event too many: %016" PRIx64, left.front());
+	}
+
 	using PortAccess::clock;
 
 	void clock() override
@@ -302,5 +357,8 @@ private:
 	uint64_t event = 0;
 	Stall out_stall{ random }, in_stall{ random }, event_stall{ random };
 };
+
+/* tb_port_usb_faults.cpp */
+void port_usb_faults(UsbBench &bench, int rounds);
 
 #endif
