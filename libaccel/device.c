@@ -10,6 +10,7 @@
 /* "auto" tries them in this order. */
 static const struct accel_transport_ops *const transports[] = {
 	&accel_transport_drm,
+	&accel_transport_usb,
 	&accel_transport_model,
 	&accel_transport_sim,
 };

@@ -10,10 +10,20 @@ else
 DRM_SOURCES := transport_drm_none.c
 endif
 
+# "usb:" takes libusb, likewise.
+ifeq ($(shell pkg-config --exists 'libusb-1.0 >= 1.0.21' 2>/dev/null && echo yes),yes)
+USB_SOURCES := transport_usb.c usb_link.c usb_message.c usb_node.c usb_sync.c usb_transfer.c \
+	usb_watch.c clear.c
+USB_CFLAGS := -Idriver $(shell pkg-config --cflags libusb-1.0)
+USB_LIBS := $(shell pkg-config --libs libusb-1.0)
+else
+USB_SOURCES := transport_usb_none.c
+endif
+
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c \
-	$(DRM_SOURCES) transport_model.c transport_sim.c engine.c range.c option.c) $(DRAW_SOURCES)
+	$(DRM_SOURCES) $(USB_SOURCES) transport_model.c transport_sim.c engine.c range.c option.c) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
-ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS)
+ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
 ACCEL_VERSION := 0.1
 ACCEL_SONAME := libaccel.so.0
 
@@ -23,7 +33,8 @@ $(BUILD)/libaccel/%.o: libaccel/%.c
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -fPIC -pthread -MMD -MP -c $< -o $@
 
 $(DRM_SOURCES:%.c=$(BUILD)/libaccel/%.o): ACCEL_CFLAGS += $(DRM_CFLAGS)
-LINT_C += $(DRM_CFLAGS)
+$(USB_SOURCES:%.c=$(BUILD)/libaccel/%.o): ACCEL_CFLAGS += $(USB_CFLAGS)
+LINT_C += $(DRM_CFLAGS) $(USB_CFLAGS)
 
 # Where the library looks for plugins once it is installed; rebuilt when that changes.
 ACCEL_SIM_DIR := $(LIBDIR)/gloss

@@ -58,8 +58,9 @@ struct accel_transport_ops {
 	 * Opens a board. @where is the text after the colon, "" if none.
 	 * Stores the transport's own state in *@state; on an error it may say
 	 * more in @error.
-	 * -ENODEV: no such board; -EACCES: not allowed; -ENOSYS: support for
-	 * it is not installed; -EINVAL: @where is not understood; -ENOMEM.
+	 * -ENODEV: no such board; -EACCES: not allowed; -EBUSY: another
+	 * program has it; -ENOSYS: support for it is not installed; -EINVAL:
+	 * @where is not understood; -ENOMEM.
 	 */
 	int (*open)(const char *where, void **state, struct accel_transport_error *error);
 
@@ -88,7 +89,9 @@ struct accel_transport_ops {
 	/*
 	 * Starts a job. The stream and slot list are the caller's again on
 	 * return; the response buffer belongs to the board until the job has
-	 * been waited for. Stores a number for wait in *@sequence.
+	 * been waited for. Stores a number for wait in *@sequence. When a lot
+	 * is queued it may wait until the board has some of that, or has failed,
+	 * which takes no other call.
 	 * -ENODEV: the board is gone; -ENOMEM; -EINVAL: not a job. Then it has
 	 * no number, and nothing was lent.
 	 */
@@ -112,5 +115,6 @@ struct accel_transport_ops {
 extern const struct accel_transport_ops accel_transport_drm;
 extern const struct accel_transport_ops accel_transport_model;
 extern const struct accel_transport_ops accel_transport_sim;
+extern const struct accel_transport_ops accel_transport_usb;
 
 #endif

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+/*
+ * "usb:": a board on a cable, through libusb. The library has it for itself, hands out its memory
+ * and clears that with jobs of its own; usb_link.h has the jobs.
+ */
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clear.h"
+#include "gloss_regs.h"
+#include "range.h"
+#include "usb_link.h"
+#include "usb_node.h"
+
+#define MEMORY_PAGES_MAX (1u << 20)
+
+/* A range of board memory; the library knows it by its base. */
+struct usb_object {
+	struct usb_object *next;
+	uint64_t base;
+	uint32_t size;			/* that a job can reach */
+	uint32_t tiles;			/* that it has, to be cleared */
+	bool cleared;
+	uint64_t clearing;		/* the job that does it, 0: none */
+};
+
+struct transport_usb {
+	struct accel_usb_node node;
+	struct accel_usb_link *link;
+	struct accel_transport_info info;
+	struct accel_range_space ranges;
+	struct usb_object *objects;
+};
+
+/* ---- opening ---- */
+
+static bool usb_info_fits(const struct accel_transport_info *info, uint32_t pages)
+{
+	return (info->tile_size == 32 || info->tile_size == 64) && pages &&
+	       pages <= MEMORY_PAGES_MAX && info->pixels_per_clock &&
+	       info->pixels_per_clock <= 8 &&
+	       !(info->pixels_per_clock & (info->pixels_per_clock - 1));
+}
+
+/* With its serial number, if there is room for it. */
+static void usb_name(struct accel_transport_info *info, const char *serial)
+{
+	const int room = sizeof(info->name);
+
+	if (snprintf(info->name, room, "Gloss USB board%s%s, %u-pixel tiles, %u lanes",
+		     *serial ? " " : "", serial, info->tile_size, info->pixels_per_clock) >= room)
+		snprintf(info->name, room, "Gloss USB board, %u-pixel tiles, %u lanes",
+			 info->tile_size, info->pixels_per_clock);
+}
+
+static int usb_read_registers(struct accel_usb_node *node, uint32_t *value)
+{
+	static const uint16_t offset[] = {
+		GLOSS_REG_IDENTITY, GLOSS_REG_VERSION, GLOSS_REG_CAPABILITIES,
+		GLOSS_REG_MEMORY_PAGES,
+	};
+	size_t i;
+	int err = 0;
+
+	for (i = 0; i < sizeof(offset) / sizeof(offset[0]) && !err; i++)
+		err = accel_usb_node_read(node, offset[i], &value[i]);
+	return err;
+}
+
+static int usb_identify(struct transport_usb *transport, struct accel_transport_error *error)
+{
+	struct accel_transport_info *info = &transport->info;
+	const char *name = transport->node.name;
+	uint32_t value[4];
+
+	if (usb_read_registers(&transport->node, value)) {
+		accel_transport_say(error, "%s does not answer", name);
+		return -ENODEV;
+	}
+	*info = (struct accel_transport_info){
+		.version = value[1],
+		.tile_size = value[2] & GLOSS_REG_CAPABILITIES_TILE_SIZE,
+		.pixels_per_clock = (value[2] & GLOSS_REG_CAPABILITIES_PIXELS_PER_CLOCK) >> 8,
+		.memory_size = (uint64_t)value[3] * GLOSS_PAGE_BYTES,
+	};
+	if (value[0] != GLOSS_IDENTITY)
+		accel_transport_say(error, "%s is no Gloss board: its IDENTITY is 0x%08x", name,
+				    value[0]);
+	else if (info->version != GLOSS_VERSION)
+		accel_transport_say(error, "%s speaks version %u of the stream, not %u", name,
+				    info->version, GLOSS_VERSION);
+	else if (!usb_info_fits(info, value[3]))
+		accel_transport_say(error, "%s is no Gloss board that there is: %u-pixel tiles, "
+				    "%u lanes, %u pages", name, info->tile_size,
+				    info->pixels_per_clock, value[3]);
+	else
+		return 0;
+	return -ENODEV;
+}
+
+static int usb_start(struct transport_usb *transport, struct accel_transport_error *error)
+{
+	int err = accel_usb_link_new(&transport->node, &transport->link);
+
+	if (!err || err == -ENOMEM)
+		return err;
+	accel_transport_say(error, "%s %s", transport->node.name, err == -ENODEV ? "is gone" :
+			    "does not answer as a Gloss board does");
+	return -ENODEV;
+}
+
+static int transport_usb_open(const char *where, void **state,
+			      struct accel_transport_error *error)
+{
+	struct transport_usb *transport = calloc(1, sizeof(*transport));
+	int err;
+
+	if (!transport)
+		return -ENOMEM;
+	err = accel_usb_node_open(where, &transport->node, error);
+	if (err)
+		goto err_free;
+	err = usb_identify(transport, error);
+	if (!err)
+		err = usb_start(transport, error);
+	if (err)
+		goto err_close;
+	usb_name(&transport->info, accel_usb_node_serial(&transport->node));
+	accel_range_init(&transport->ranges, transport->info.memory_size);
+	*state = transport;
+	return 0;
+
+err_close:
+	accel_usb_node_close(&transport->node);
+err_free:
+	free(transport);
+	return err;
+}
+
+static void transport_usb_close(void *state)
+{
+	struct transport_usb *transport = state;
+
+	accel_usb_link_free(transport->link);
+	accel_usb_node_close(&transport->node);
+	accel_range_fini(&transport->ranges);
+	free(transport);
+}
+
+static void transport_usb_info(void *state, struct accel_transport_info *info)
+{
+	const struct transport_usb *transport = state;
+
+	*info = transport->info;
+}
+
+/* ---- board memory ---- */
+
+/* The link to it, or to where the list ends. */
+static struct usb_object **usb_object_find(struct transport_usb *transport, uint64_t base)
+{
+	struct usb_object **link = &transport->objects;
+
+	while (*link && (*link)->base != base)
+		link = &(*link)->next;
+	return link;
+}
+
+static int transport_usb_memory_new(void *state, uint64_t size, uint64_t *object)
+{
+	struct transport_usb *transport = state;
+	uint64_t tile_bytes = accel_clear_tile_bytes(transport->info.tile_size);
+	uint64_t tiles = (size + tile_bytes - 1) / tile_bytes;
+	struct usb_object *new = malloc(sizeof(*new));
+	int err;
+
+	if (!new)
+		return -ENOMEM;
+	err = accel_range_new(&transport->ranges, tiles * tile_bytes, object);
+	if (err) {
+		free(new);
+		return err;
+	}
+	*new = (struct usb_object){
+		.next = transport->objects,
+		.base = *object,
+		.size = (uint32_t)size,
+		.tiles = (uint32_t)tiles,
+	};
+	transport->objects = new;
+	return 0;
+}
+
+static void transport_usb_memory_free(void *state, uint64_t base)
+{
+	struct transport_usb *transport = state;
+	struct usb_object **link = usb_object_find(transport, base), *object = *link;
+	struct gloss_status status;
+
+	if (object->clearing)
+		accel_usb_link_wait(transport->link, object->clearing, -1, &status);
+	*link = object->next;
+	free(object);
+	accel_range_free(&transport->ranges, base);
+}
+
+/* ---- jobs ---- */
+
+/* A job without its slots and its stream, and where these go. */
+static struct accel_usb_job *usb_job_new(const struct accel_transport_job *from, uint32_t **rest)
+{
+	const struct gloss_usb_job head = {
+		.slots = from->slots,
+		.mark = GLOSS_USB_JOB_MAGIC,
+		.stream_words = from->stream_words,
+		.response_words = from->response_words,
+	};
+	struct accel_usb_job *job;
+
+	job = accel_usb_job_new(GLOSS_USB_JOB_WORDS +
+				(size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS + from->stream_words);
+	if (!job)
+		return NULL;
+	gloss_usb_job_pack(job->message, &head);
+	job->answer = (struct accel_usb_answer){
+		.stream_words = from->stream_words,
+		.response = from->response,
+		.response_words = from->response_words,
+	};
+	*rest = job->message + GLOSS_USB_JOB_WORDS;
+	return job;
+}
+
+/* Queues the job that makes the object zero. */
+static int usb_clear_queue(struct transport_usb *transport, struct usb_object *object,
+			   uint64_t losses)
+{
+	uint32_t tile_size = transport->info.tile_size, *words;
+	const struct gloss_slot_entry slot = {
+		.base = (uint32_t)object->base,
+		.size = object->tiles * accel_clear_tile_bytes(tile_size),
+		.rights = GLOSS_RIGHTS_WRITE,
+	};
+	const struct accel_transport_job from = {
+		.stream_words = accel_clear_words(object->tiles),
+		.slots = 1,
+	};
+	struct accel_usb_job *job = usb_job_new(&from, &words);
+	int err;
+
+	if (!job)
+		return -ENOMEM;
+	job->must = true;
+	gloss_slot_entry_pack(words, &slot);
+	accel_clear_pack(words + GLOSS_SLOT_ENTRY_WORDS, tile_size, object->tiles);
+	err = accel_usb_link_submit(transport->link, job, losses, &object->clearing);
+	if (err)
+		accel_usb_job_free(job);
+	return err;
+}
+
+/*
+ * Sees to it that the object is zero before a job that is submitted next, unless that answers
+ * -EAGAIN because a clearing job may have been lost.
+ */
+static int usb_clear(struct transport_usb *transport, struct usb_object *object, uint64_t losses)
+{
+	struct gloss_status status;
+	int err;
+
+	if (object->cleared)
+		return 0;
+	if (object->clearing) {
+		err = accel_usb_link_wait(transport->link, object->clearing, 0, &status);
+		if (err == -ETIMEDOUT)
+			return 0;
+		object->clearing = 0;
+		object->cleared = !err;
+		if (!err)
+			return 0;
+	}
+	return usb_clear_queue(transport, object, losses);
+}
+
+static int usb_clear_slots(struct transport_usb *transport, const struct accel_transport_job *from,
+			   uint64_t losses)
+{
+	uint32_t i;
+	int err = 0;
+
+	for (i = 0; i < from->slots && !err; i++)
+		if (from->slot[i].rights)
+			err = usb_clear(transport,
+					*usb_object_find(transport, from->slot[i].object), losses);
+	return err;
+}
+
+/* A slot without rights is an empty one; to a stream it is the same. */
+static int usb_fill_slots(struct transport_usb *transport, const struct accel_transport_job *from,
+			  uint32_t *words)
+{
+	uint32_t i;
+
+	for (i = 0; i < from->slots; i++) {
+		struct gloss_slot_entry slot = { .base = 0 };
+
+		if (from->slot[i].rights) {
+			const struct usb_object *object =
+				*usb_object_find(transport, from->slot[i].object);
+
+			if (!object)
+				return -EINVAL;
+			slot = (struct gloss_slot_entry){
+				.base = (uint32_t)object->base,
+				.size = object->size,
+				.rights = from->slot[i].rights,
+			};
+		}
+		gloss_slot_entry_pack(words + i * GLOSS_SLOT_ENTRY_WORDS, &slot);
+	}
+	return 0;
+}
+
+static int usb_job_submit(struct transport_usb *transport, struct accel_usb_job *job,
+			  const struct accel_transport_job *from, uint64_t *sequence)
+{
+	uint64_t losses;
+	int err;
+
+	do {
+		losses = accel_usb_link_losses(transport->link);
+		err = usb_clear_slots(transport, from, losses);
+		if (!err)
+			err = accel_usb_link_submit(transport->link, job, losses, sequence);
+	} while (err == -EAGAIN);
+	return err;
+}
+
+static int transport_usb_submit(void *state, const struct accel_transport_job *from,
+				uint64_t *sequence)
+{
+	struct transport_usb *transport = state;
+	struct accel_usb_job *job;
+	uint32_t *words;
+	int err;
+
+	if (from->slots > GLOSS_SLOTS)
+		return -EINVAL;
+	job = usb_job_new(from, &words);
+	if (!job)
+		return -ENOMEM;
+	err = usb_fill_slots(transport, from, words);
+	if (from->stream_words)
+		memcpy(words + (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS, from->stream,
+		       (size_t)from->stream_words * sizeof(uint32_t));
+	if (!err)
+		err = usb_job_submit(transport, job, from, sequence);
+	if (err)
+		accel_usb_job_free(job);
+	return err;
+}
+
+static int transport_usb_wait(void *state, uint64_t sequence, int64_t timeout_ns,
+			      struct gloss_status *status)
+{
+	struct transport_usb *transport = state;
+
+	return accel_usb_link_wait(transport->link, sequence, timeout_ns, status);
+}
+
+const struct accel_transport_ops accel_transport_usb = {
+	.scheme = "usb",
+	.open = transport_usb_open,
+	.list = accel_usb_node_list,
+	.close = transport_usb_close,
+	.info = transport_usb_info,
+	.memory_new = transport_usb_memory_new,
+	.memory_free = transport_usb_memory_free,
+	.submit = transport_usb_submit,
+	.wait = transport_usb_wait,
+};

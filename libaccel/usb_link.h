@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Jobs on a board on USB: what is sent and received, and when that has failed. There are always
+ * transfers in flight, of each direction several, and one thread for what comes of them. When
+ * something is not as it ought to be, the thread ends all that is outstanding with an error,
+ * resets the board and starts anew; if that fails, the board is gone for good.
+ */
+#ifndef ACCEL_USB_LINK_H
+#define ACCEL_USB_LINK_H
+
+#include <pthread.h>
+
+#include "usb_message.h"
+#include "usb_node.h"
+
+struct accel_usb_job {
+	struct accel_usb_job *next;
+	uint64_t sequence;		/* the lower half of which the board has */
+	struct accel_usb_answer answer;
+	bool must;			/* a fault in it is a failure of the board */
+	bool answered;			/* to the end */
+	bool ended;			/* and nothing looks at it any more */
+	int error;			/* if it has ended so */
+	size_t bytes;			/* of the message */
+	size_t started, sent;		/* given to transfers, and in those that have ended */
+	uint32_t message[];
+};
+
+struct accel_usb_link;
+
+/*
+ * Brings the board up, and starts the thread. @node stays the caller's, and lasts as long as
+ * the link. -ENOMEM, -ENODEV (it is gone), -EIO (it does not do as a board does).
+ */
+int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **link);
+/* No job is outstanding. */
+void accel_usb_link_free(struct accel_usb_link *link);
+
+/* A job with room for a message of @words words; NULL: out of memory. */
+struct accel_usb_job *accel_usb_job_new(size_t words);
+void accel_usb_job_free(struct accel_usb_job *job);
+
+/* How often all that was outstanding has been lost. */
+uint64_t accel_usb_link_losses(struct accel_usb_link *link);
+
+/*
+ * Sends a job, which is the link's from then on, and stores its number. While more than a bound
+ * is queued it waits until that is sent, or lost. -EAGAIN: losses are not @losses any more;
+ * -ENODEV. Then the job is still the caller's.
+ */
+int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job,
+			  uint64_t losses, uint64_t *sequence);
+
+/* As struct accel_transport_ops.wait. */
+int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t timeout_ns,
+			struct gloss_status *status);
+
+#endif

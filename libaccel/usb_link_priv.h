@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* What the files of a link on USB know of each other. */
+#ifndef ACCEL_USB_LINK_PRIV_H
+#define ACCEL_USB_LINK_PRIV_H
+
+#include "usb_link.h"
+
+/* In flight at once. OUT has no memory of its own, so it may be deeper, for small jobs. */
+#define USB_OUT_TRANSFERS 8
+#define USB_IN_TRANSFERS 4
+#define USB_TRANSFER_BYTES 65536
+
+enum usb_link_state {
+	USB_LINK_STARTING,		/* the sync is on its way */
+	USB_LINK_READY,
+	USB_LINK_BROKEN,		/* all that is in flight is to be ended */
+	USB_LINK_GONE
+};
+
+struct usb_transfer {
+	struct accel_usb_link *link;
+	struct libusb_transfer *transfer;
+	struct accel_usb_job *job;	/* of OUT, NULL: the sync */
+	bool in_flight;
+	bool ended;			/* IN: and its turn has not come */
+};
+
+/* How long nothing has moved. */
+struct usb_watch {
+	int64_t next_ms;		/* when to look */
+	unsigned int still;		/* how often there was nothing to be seen */
+	uint64_t moves;			/* of the link, at the last look */
+	bool known;			/* PROGRESS was read since then */
+	uint32_t progress;
+	uint64_t spent;			/* by how much it has moved since then */
+};
+
+struct accel_usb_link {
+	struct accel_usb_node *node;
+	pthread_t thread;
+	pthread_mutex_t lock;		/* protects what follows */
+	pthread_cond_t ended;		/* a job has */
+	pthread_cond_t room;		/* less is queued */
+	bool stop;
+	bool asleep;			/* the thread may be, for long */
+	enum usb_link_state state;
+
+	struct usb_transfer out[USB_OUT_TRANSFERS], in[USB_IN_TRANSFERS], event;
+	unsigned int in_flight;
+	unsigned int in_next;		/* the one whose words come next */
+	uint32_t *in_words;		/* the buffers of IN */
+	uint32_t event_words[GLOSS_USB_EVENT_WORDS];
+	uint32_t sync_words[GLOSS_USB_SYNC_WORDS];
+	bool halted_out, halted_in, halted_event;
+	bool hint;			/* the board says that it is lost */
+	bool synchronised;
+	struct accel_usb_parser parser;
+
+	struct usb_watch watch;
+	uint64_t sequence;		/* of the last job */
+	uint64_t losses;
+	uint64_t moves;			/* changes with each job and transfer that is of use */
+	size_t queued;			/* bytes that are not sent */
+	unsigned int running;		/* jobs that have not ended */
+	struct accel_usb_job *first, **last;	/* in order, until waited for */
+	struct accel_usb_job *sending;		/* the first not started as a whole */
+	struct accel_usb_job *answering;	/* the first not answered */
+};
+
+/* usb_transfer.c. All but accel_usb_transfers_handle are called with the lock held. */
+int accel_usb_transfers_init(struct accel_usb_link *link);
+void accel_usb_transfers_fini(struct accel_usb_link *link);
+/* Begins to read, and sends a sync with @nonce. The link is starting. */
+void accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce);
+/* Sends what can be sent of the jobs. */
+void accel_usb_transfers_send(struct accel_usb_link *link);
+void accel_usb_transfers_cancel(struct accel_usb_link *link);
+/* Lets callbacks come, at most for a time. */
+void accel_usb_transfers_handle(struct accel_usb_link *link, int ms);
+
+/* usb_link.c, with the lock held. */
+/* The link has failed, or (@err -ENODEV) is gone. */
+void accel_usb_link_break(struct accel_usb_link *link, int err);
+/* All of the job was sent, or answered. */
+void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job);
+
+/* usb_watch.c, with the lock held, which it gives up while it asks the board. Breaks a link
+ * that stands still; milliseconds until it is to be called again, 0: when there is a job. */
+int accel_usb_link_watch(struct accel_usb_link *link);
+
+/* usb_sync.c, without the lock. */
+/* Ends what is in flight. */
+void accel_usb_link_drain(struct accel_usb_link *link);
+/* Resets the board and finds the beginning of IN; the link is ready then. -EIO, -ENODEV. */
+int accel_usb_link_sync(struct accel_usb_link *link);
+
+/* CLOCK_MONOTONIC */
+int64_t accel_usb_link_now_ms(void);
+
+#endif

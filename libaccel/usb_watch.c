@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/* A link's sense of time: whether the board is at work, or has stopped for ever. */
+#include <errno.h>
+
+#include "gloss_regs.h"
+#include "usb_link_priv.h"
+
+/* So often, so far apart, nothing may be seen to move. Looks are counted, not time, because a
+ * machine that was stopped meanwhile has not looked. */
+#define LOOKS 8
+#define LOOK_MS 250
+#define LOOKS_IDLE 4
+
+/* Words that PROGRESS has yet to count at most. */
+static uint64_t watch_words(const struct accel_usb_link *link)
+{
+	const struct accel_usb_job *job;
+	uint64_t words = 0;
+
+	for (job = link->first; job; job = job->next)
+		if (!job->ended)
+			words += (uint64_t)job->answer.stream_words + job->answer.response_words;
+	return words;
+}
+
+/* Whether PROGRESS has moved as that of a board at work does. */
+static bool watch_progress(struct accel_usb_link *link, uint32_t progress)
+{
+	struct usb_watch *watch = &link->watch;
+	uint32_t moved = progress - watch->progress;
+	bool known = watch->known;
+
+	watch->known = true;
+	watch->progress = progress;
+	if (!known || !moved || moved > watch_words(link) - watch->spent)
+		return false;
+	watch->spent += moved;
+	return true;
+}
+
+/* With the lock held, which it gives up meanwhile: the board is asked. */
+static bool watch_ask(struct accel_usb_link *link)
+{
+	uint64_t moves = link->moves;
+	uint32_t progress;
+	int err;
+
+	pthread_mutex_unlock(&link->lock);
+	err = accel_usb_node_read(link->node, GLOSS_REG_PROGRESS, &progress);
+	pthread_mutex_lock(&link->lock);
+	if (err == -ENODEV)
+		accel_usb_link_break(link, err);
+	return link->moves != moves || (!err && watch_progress(link, progress));
+}
+
+/* Likewise. An event says that the channel is lost: the board knows. */
+static void watch_hint(struct accel_usb_link *link)
+{
+	uint32_t status;
+	int err;
+
+	link->hint = false;
+	pthread_mutex_unlock(&link->lock);
+	err = accel_usb_node_read(link->node, GLOSS_REG_STATUS, &status);
+	pthread_mutex_lock(&link->lock);
+	if (err || status & GLOSS_REG_STATUS_LOST)
+		accel_usb_link_break(link, err ? err : -EIO);
+}
+
+static void watch_look(struct accel_usb_link *link)
+{
+	struct usb_watch *watch = &link->watch;
+
+	if (link->running && watch_ask(link))
+		watch->still = 0;
+	else
+		watch->still++;
+	if (link->running && watch->still >= LOOKS)
+		accel_usb_link_break(link, -EIO);
+}
+
+int accel_usb_link_watch(struct accel_usb_link *link)
+{
+	struct usb_watch *watch = &link->watch;
+	int64_t now = accel_usb_link_now_ms();
+
+	if (link->hint)
+		watch_hint(link);
+	if (watch->moves != link->moves)
+		*watch = (struct usb_watch){ .moves = link->moves, .next_ms = now + LOOK_MS };
+	if (now >= watch->next_ms) {
+		watch_look(link);
+		watch->next_ms = accel_usb_link_now_ms() + LOOK_MS;
+	}
+	return link->running || watch->still < LOOKS_IDLE ? LOOK_MS : 0;
+}
