@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The libusb of fake_usb.h: a host that knows no more than INTERFACE.md runs jobs through it. */
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "accel_test.h"
 #include "fake_usb.h"
 
@@ -315,6 +319,154 @@ static void a_call_fails_when_it_is_told_to(void **state)
 	fake_usb_stop();
 }
 
+/* ---- what its caller may not do ---- */
+
+static void submit_twice(struct host *host, struct libusb_transfer *transfer)
+{
+	(void)host;
+	libusb_submit_transfer(transfer);
+}
+
+static void free_in_flight(struct host *host, struct libusb_transfer *transfer)
+{
+	(void)host;
+	libusb_free_transfer(transfer);
+}
+
+static void close_in_flight(struct host *host, struct libusb_transfer *transfer)
+{
+	(void)transfer;
+	libusb_close(host->handle);
+}
+
+static void release_in_flight(struct host *host, struct libusb_transfer *transfer)
+{
+	(void)transfer;
+	libusb_release_interface(host->handle, 0);
+}
+
+static void ask_without_claim(struct host *host, struct libusb_transfer *transfer)
+{
+	libusb_cancel_transfer(transfer);
+	while (fake_usb.in_flight)
+		handle_events(host, 10);
+	libusb_release_interface(host->handle, 0);
+	host_write(host, GLOSS_REG_NONCE, 1);
+}
+
+static void use_after_close(struct host *host, struct libusb_transfer *transfer)
+{
+	libusb_cancel_transfer(transfer);
+	while (fake_usb.in_flight)
+		handle_events(host, 10);
+	libusb_close(host->handle);
+	libusb_submit_transfer(transfer);
+}
+
+static void leave_it_all(struct host *host, struct libusb_transfer *transfer)
+{
+	(void)host;
+	(void)transfer;
+	fake_usb_stop();
+}
+
+static void misbehave(void (*wrong)(struct host *host, struct libusb_transfer *transfer))
+{
+	static struct host host;
+	unsigned char buffer[512];
+	struct ended ended;
+
+	fclose(stderr);
+	signal(SIGABRT, SIG_DFL);
+	host_open(&host);
+	wrong(&host, transfer_new(&host, buffer, &ended, 0));
+	_exit(0);
+}
+
+static void a_wrong_call_ends_the_process(void **state)
+{
+	static void (*const wrong[])(struct host *, struct libusb_transfer *) = {
+		submit_twice, free_in_flight, close_in_flight, release_in_flight,
+		ask_without_claim, use_after_close, leave_it_all,
+	};
+	int status;
+
+	(void)state;
+	bus_start();
+	for (size_t n = 0; n < sizeof(wrong) / sizeof(wrong[0]); n++) {
+		pid_t child = fork();
+
+		if (!child)
+			misbehave(wrong[n]);
+		assert_int_equal(waitpid(child, &status, 0), child);
+		if (!WIFSIGNALED(status) || WTERMSIG(status) != SIGABRT)
+			fail_msg("wrong call %zu is not noticed", n);
+	}
+	fake_usb_stop();
+}
+
+/* ---- faults ---- */
+
+/* The words of a sync as they come back, with @fault: how many, at most @most. */
+static size_t echo(enum fake_usb_fault fault, uint32_t value, uint32_t *words, size_t most)
+{
+	static struct host host;
+	uint32_t sync[4] = { GLOSS_USB_SYNC_MAGIC, NONCE, ~NONCE, ~GLOSS_USB_SYNC_MAGIC };
+	int moved, bytes = 0;
+
+	bus_start();
+	fake_usb_leap(true);
+	host_open(&host);
+	host_write(&host, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
+	host_write(&host, GLOSS_REG_NONCE, NONCE);
+	if (fault)
+		fake_usb_arm(0, fault, 1, value);
+	libusb_bulk_transfer(host.handle, GLOSS_USB_ENDPOINT_OUT, (unsigned char *)sync, 16,
+			     &moved, 1000);
+	while (bytes < (int)(4 * most) &&
+	       !libusb_bulk_transfer(host.handle, GLOSS_USB_ENDPOINT_IN,
+				     (unsigned char *)words + bytes, 512, &moved, 1000))
+		bytes += moved;
+	assert_true(!fault || fake_usb.fired);
+	host_close(&host);
+	fake_usb_stop();
+	return (size_t)bytes;
+}
+
+static void a_fault_does_what_its_name_says(void **state)
+{
+	static const struct {
+		enum fake_usb_fault fault;
+		uint32_t value;
+		size_t bytes;
+	} faults[] = {
+		{ FAKE_USB_NO_FAULT, 0, 16 }, { FAKE_USB_SHORT_IN, 0, 16 },
+		{ FAKE_USB_EMPTY_IN, 3, 16 }, { FAKE_USB_REPEAT_IN, 0, 32 },
+		{ FAKE_USB_LOSE_IN, 0, 0 }, { FAKE_USB_LOSE_OUT, 0, 0 },
+		{ FAKE_USB_HANG_IN, 0, 0 }, { FAKE_USB_HANG_OUT, 0, 0 },
+		{ FAKE_USB_STALL_IN, 0, 0 }, { FAKE_USB_STALL_OUT, 0, 0 },
+		{ FAKE_USB_ERROR_IN, 0, 0 }, { FAKE_USB_ERROR_OUT, 0, 0 },
+		{ FAKE_USB_OVERFLOW_IN, 0, 0 }, { FAKE_USB_GLITCH, 0, 0 },
+		{ FAKE_USB_UNPLUG, 0, 0 }, { FAKE_USB_KILL, 0, 0 },
+		{ FAKE_USB_GARBAGE_IN, 3, 16 }, { FAKE_USB_GARBAGE_OUT, 0, 0 },
+	};
+	uint32_t right[256], words[256];
+
+	(void)state;
+	assert_int_equal(echo(FAKE_USB_NO_FAULT, 0, right, 128), 16);
+	for (size_t n = 0; n < sizeof(faults) / sizeof(faults[0]); n++) {
+		size_t bytes = echo(faults[n].fault, faults[n].value, words, 128);
+
+		if (bytes != faults[n].bytes)
+			fail_msg("%s: %zu bytes came", fake_usb_fault_name(faults[n].fault), bytes);
+		if (bytes && faults[n].fault != FAKE_USB_GARBAGE_IN)
+			assert_memory_equal(words, right, 16);
+		if (faults[n].fault == FAKE_USB_GARBAGE_IN)
+			assert_memory_not_equal(words, right, 16);
+	}
+	assert_in_range(echo(FAKE_USB_ODD_IN, 0, words, 128), 13, 15);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -326,6 +478,8 @@ int main(void)
 		cmocka_unit_test(a_halted_endpoint_stalls_until_it_is_cleared),
 		cmocka_unit_test(a_killed_host_leaves_its_job_on_the_board),
 		cmocka_unit_test(a_call_fails_when_it_is_told_to),
+		cmocka_unit_test(a_wrong_call_ends_the_process),
+		cmocka_unit_test(a_fault_does_what_its_name_says),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
