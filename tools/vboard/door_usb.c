@@ -14,7 +14,6 @@
 #define BACKLOG_BYTES (1u << 20)
 /* Working without a look at the socket. */
 #define WORK_NS 200000
-#define EVENT_BYTES (4 * GLOSS_USB_EVENT_WORDS)
 
 /* What QEMU calls an endpoint in its tables. */
 #define TABLE_INDEX(endpoint) (((endpoint) & 0x80) >> 3 | ((endpoint) & 0x0f))
@@ -84,7 +83,7 @@ static int door_write(void *data, uint8_t *bytes, int count)
 	return -1;
 }
 
-static bool door_full(const struct vboard_usb *usb)
+bool vboard_door_usb_full(const struct vboard_usb *usb)
 {
 	return usbredirparser_get_bufferered_output_size(usb->parser) > BACKLOG_BYTES;
 }
@@ -149,7 +148,7 @@ static void door_forget(struct vboard_usb *usb)
 	vboard_usb_configure(usb, 0);
 }
 
-static void door_unplug(struct vboard_usb *usb)
+void vboard_door_usb_unplug(struct vboard_usb *usb)
 {
 	uint32_t ms = usb->faults.armed.replug;
 
@@ -187,315 +186,6 @@ static void door_reset(void *data)
 		door_forget(usb);
 }
 
-/* ---- the control endpoint ---- */
-
-static void door_control(void *data, uint64_t id, struct usb_redir_control_packet_header *head,
-			 uint8_t *bytes, int count)
-{
-	struct vboard_usb *usb = data;
-	uint8_t answer[VBOARD_USB_DESCRIPTOR_MAX];
-	bool in = head->endpoint & 0x80;
-	int length = -1;
-
-	(void)count;			/* is what the head says */
-	if (usb->plugged && in == !!(head->requesttype & 0x80))
-		length = vboard_usb_control(usb, head, bytes, answer);
-	usbredirparser_free_packet_data(usb->parser, bytes);
-	if (!usb->plugged)
-		return;
-	head->status = length < 0 ? usb_redir_stall : usb_redir_success;
-	if (in && length < head->length)
-		head->length = (uint16_t)(length < 0 ? 0 : length);
-	if (!in && length < 0)
-		head->length = 0;
-	usbredirparser_send_control_packet(usb->parser, id, head, in ? answer : NULL,
-					   in ? head->length : 0);
-}
-
-static void door_tell_configuration(struct vboard_usb *usb, uint64_t id, bool done)
-{
-	struct usb_redir_configuration_status_header status = {
-		.status = done ? usb_redir_success : usb_redir_stall,
-		.configuration = usb->configuration,
-	};
-
-	if (usb->plugged)
-		usbredirparser_send_configuration_status(usb->parser, id, &status);
-}
-
-static void door_set_configuration(void *data, uint64_t id,
-				   struct usb_redir_set_configuration_header *set)
-{
-	struct vboard_usb *usb = data;
-
-	door_tell_configuration(usb, id, vboard_usb_configure(usb, set->configuration));
-}
-
-static void door_get_configuration(void *data, uint64_t id)
-{
-	door_tell_configuration(data, id, true);
-}
-
-static void door_tell_setting(struct vboard_usb *usb, uint64_t id, uint8_t interface, bool done)
-{
-	struct usb_redir_alt_setting_status_header status = {
-		.status = done ? usb_redir_success : usb_redir_stall,
-		.interface = interface,
-	};
-
-	if (usb->plugged)
-		usbredirparser_send_alt_setting_status(usb->parser, id, &status);
-}
-
-static void door_set_setting(void *data, uint64_t id, struct usb_redir_set_alt_setting_header *set)
-{
-	struct vboard_usb *usb = data;
-
-	door_tell_setting(usb, id, set->interface,
-			  vboard_usb_set_interface(usb, set->interface, set->alt));
-}
-
-static void door_get_setting(void *data, uint64_t id, struct usb_redir_get_alt_setting_header *get)
-{
-	door_tell_setting(data, id, get->interface, get->interface < VBOARD_USB_INTERFACES);
-}
-
-/* ---- bulk endpoints ---- */
-
-static void door_answer_bulk(struct vboard_usb *usb, uint64_t id, uint8_t endpoint, uint8_t status,
-			     const void *bytes, uint32_t count)
-{
-	struct usb_redir_bulk_packet_header head = {
-		.endpoint = endpoint,
-		.status = status,
-		.length = (uint16_t)count,
-		.length_high = (uint16_t)(count >> 16),
-	};
-	bool in = endpoint & 0x80;
-
-	/* The parser takes what it does not change without const. */
-	usbredirparser_send_bulk_packet(usb->parser, id, &head, in ? (uint8_t *)(uintptr_t)bytes : NULL,
-					in ? (int)count : 0);
-}
-
-static void door_ended(void *data, const struct vboard_usb_transfer *transfer,
-		       enum vboard_usb_status status, const void *bytes, uint32_t count)
-{
-	static const uint8_t says[] = {
-		[VBOARD_USB_DONE] = usb_redir_success,
-		[VBOARD_USB_STALLED] = usb_redir_stall,
-		[VBOARD_USB_CANCELLED] = usb_redir_cancelled,
-	};
-	struct vboard_usb *usb = data;
-
-	if (transfer->endpoint & 0x80)
-		usb->in_bytes += count;
-	else
-		usb->out_bytes += count;
-	door_answer_bulk(usb, transfer->id, transfer->endpoint, says[status], bytes, count);
-}
-
-/* A transfer of the port. False: there is no room for it. */
-static bool door_port(struct vboard_usb *usb, uint64_t id, uint8_t endpoint, uint8_t *bytes,
-		      uint32_t count)
-{
-	unsigned int faults = vboard_usb_faults_transfer(&usb->faults, endpoint & 0x80);
-
-	if (faults & VBOARD_USB_EXIT)
-		usb->end = -ECANCELED;
-	if (faults & VBOARD_USB_UNPLUG) {
-		usbredirparser_free_packet_data(usb->parser, bytes);
-		door_unplug(usb);
-		return true;
-	}
-	/* malloc() made the bytes, so they are aligned. */
-	return vboard_usb_bridge_submit(&usb->bridge, id, endpoint, faults,
-					(uint32_t *)(void *)bytes, count);
-}
-
-static bool door_sink(struct vboard_usb *usb, uint64_t id, uint8_t *bytes, uint32_t count)
-{
-	usbredirparser_free_packet_data(usb->parser, bytes);
-	door_answer_bulk(usb, id, VBOARD_USB_PLAIN_SINK,
-			 usb->sink_halted ? usb_redir_stall : usb_redir_success, NULL, count);
-	return true;
-}
-
-static bool door_source(struct vboard_usb *usb, uint64_t id, uint32_t count)
-{
-	const struct vboard_usb_transfer transfer = {
-		.id = id,
-		.endpoint = VBOARD_USB_PLAIN_SOURCE,
-		.bytes = count,
-	};
-
-	return count <= VBOARD_USB_TRANSFER_MAX && vboard_usb_queue_add(&usb->source, &transfer);
-}
-
-static void door_bulk(void *data, uint64_t id, struct usb_redir_bulk_packet_header *head,
-		      uint8_t *bytes, int length)
-{
-	struct vboard_usb *usb = data;
-	uint32_t count = head->length | (uint32_t)head->length_high << 16;
-	bool taken = false;
-
-	(void)length;			/* is what the head says */
-	if (!usb->plugged) {
-		usbredirparser_free_packet_data(usb->parser, bytes);
-		return;
-	}
-	if (head->endpoint == GLOSS_USB_ENDPOINT_OUT || head->endpoint == GLOSS_USB_ENDPOINT_IN)
-		taken = door_port(usb, id, head->endpoint, bytes, count);
-	else if (head->endpoint == VBOARD_USB_PLAIN_SINK)
-		taken = door_sink(usb, id, bytes, count);
-	else if (head->endpoint == VBOARD_USB_PLAIN_SOURCE)
-		taken = door_source(usb, id, count);
-	if (taken)
-		return;
-	usbredirparser_free_packet_data(usb->parser, bytes);
-	door_answer_bulk(usb, id, head->endpoint, usb_redir_inval, NULL, 0);
-}
-
-static void door_cancel(void *data, uint64_t id)
-{
-	struct vboard_usb *usb = data;
-	struct vboard_usb_transfer *transfer = vboard_usb_queue_find(&usb->source, id);
-
-	vboard_usb_bridge_cancel(&usb->bridge, id);
-	if (!transfer)
-		return;
-	door_answer_bulk(usb, id, transfer->endpoint, usb_redir_cancelled, NULL, 0);
-	vboard_usb_queue_remove(&usb->source, transfer);
-}
-
-/* The next transfer of the source. */
-static bool door_pour(struct vboard_usb *usb)
-{
-	static uint8_t zeros[VBOARD_USB_TRANSFER_MAX];	/* const would be in the program's file */
-	const struct vboard_usb_transfer *transfer = usb->source.first;
-
-	if (!transfer)
-		return false;
-	if (usb->source_halted)
-		door_answer_bulk(usb, transfer->id, transfer->endpoint, usb_redir_stall, NULL, 0);
-	else
-		door_answer_bulk(usb, transfer->id, transfer->endpoint, usb_redir_success, zeros,
-				 transfer->bytes);
-	vboard_usb_queue_remove(&usb->source, usb->source.first);
-	return true;
-}
-
-/* ---- the interrupt endpoint ---- */
-
-/* Events stay in the board as long as the host does not take them. */
-static void door_tell_events(struct vboard_usb *usb)
-{
-	struct usb_redir_interrupt_packet_header head = {
-		.endpoint = GLOSS_USB_ENDPOINT_EVENT,
-		.length = EVENT_BYTES,
-	};
-	uint32_t words[GLOSS_USB_EVENT_WORDS];
-
-	while (usb->listening && !usb->event_halted && !door_full(usb) &&
-	       usb->bridge.ops->event(usb->bridge.board, words)) {
-		usbredirparser_send_interrupt_packet(usb->parser, usb->events++, &head,
-						     (uint8_t *)words, EVENT_BYTES);
-	}
-}
-
-static void door_tell_listening(struct vboard_usb *usb, uint64_t id, uint8_t endpoint, bool on)
-{
-	struct usb_redir_interrupt_receiving_status_header status = {
-		.status = usb_redir_success,
-		.endpoint = endpoint,
-	};
-
-	if (!usb->plugged)
-		return;
-	if (endpoint == GLOSS_USB_ENDPOINT_EVENT)
-		usb->listening = on && !usb->event_halted;
-	if (on && !usb->listening)
-		status.status = usb->event_halted ? usb_redir_stall : usb_redir_inval;
-	usbredirparser_send_interrupt_receiving_status(usb->parser, id, &status);
-}
-
-static void door_listen(void *data, uint64_t id,
-			struct usb_redir_start_interrupt_receiving_header *start)
-{
-	door_tell_listening(data, id, start->endpoint, true);
-}
-
-static void door_ignore(void *data, uint64_t id,
-			struct usb_redir_stop_interrupt_receiving_header *stop)
-{
-	door_tell_listening(data, id, stop->endpoint, false);
-}
-
-/* ---- what this device does not have; the parser wants it all the same ---- */
-
-static void door_tell_iso(struct vboard_usb *usb, uint64_t id, uint8_t endpoint)
-{
-	struct usb_redir_iso_stream_status_header status = {
-		.status = usb_redir_inval,
-		.endpoint = endpoint,
-	};
-
-	usbredirparser_send_iso_stream_status(usb->parser, id, &status);
-}
-
-static void door_start_iso(void *data, uint64_t id, struct usb_redir_start_iso_stream_header *start)
-{
-	door_tell_iso(data, id, start->endpoint);
-}
-
-static void door_stop_iso(void *data, uint64_t id, struct usb_redir_stop_iso_stream_header *stop)
-{
-	door_tell_iso(data, id, stop->endpoint);
-}
-
-static void door_tell_streams(struct vboard_usb *usb, uint64_t id, uint32_t endpoints)
-{
-	struct usb_redir_bulk_streams_status_header status = {
-		.endpoints = endpoints,
-		.status = usb_redir_inval,
-	};
-
-	usbredirparser_send_bulk_streams_status(usb->parser, id, &status);
-}
-
-static void door_alloc_streams(void *data, uint64_t id,
-			       struct usb_redir_alloc_bulk_streams_header *alloc)
-{
-	door_tell_streams(data, id, alloc->endpoints);
-}
-
-static void door_free_streams(void *data, uint64_t id,
-			      struct usb_redir_free_bulk_streams_header *streams)
-{
-	door_tell_streams(data, id, streams->endpoints);
-}
-
-static void door_iso(void *data, uint64_t id, struct usb_redir_iso_packet_header *head,
-		     uint8_t *bytes, int count)
-{
-	struct vboard_usb *usb = data;
-
-	(void)id, (void)head, (void)count;
-	usbredirparser_free_packet_data(usb->parser, bytes);
-}
-
-static void door_interrupt(void *data, uint64_t id, struct usb_redir_interrupt_packet_header *head,
-			   uint8_t *bytes, int count)
-{
-	struct vboard_usb *usb = data;
-
-	(void)count;
-	usbredirparser_free_packet_data(usb->parser, bytes);
-	head->status = usb_redir_inval;
-	head->length = 0;
-	usbredirparser_send_interrupt_packet(usb->parser, id, head, NULL, 0);
-}
-
 /* ---- the loop ---- */
 
 static int door_serve(void *data)
@@ -505,7 +195,7 @@ static int door_serve(void *data)
 
 	if (usbredirparser_do_write(usb->parser) < 0)
 		return usb->end;
-	if (door_full(usb))
+	if (vboard_door_usb_full(usb))
 		return 1;
 	usb->read_budget = SERVE_BYTES;
 	ret = usbredirparser_do_read(usb->parser);
@@ -514,7 +204,7 @@ static int door_serve(void *data)
 	if (ret < 0 || usb->end < 0)
 		return usb->end;
 	if (usb->faults.armed.unplug == VBOARD_USB_FAULT_UNPLUG_NOW)
-		door_unplug(usb);
+		vboard_door_usb_unplug(usb);
 	return usbredirparser_do_write(usb->parser) < 0 ? usb->end : 1;
 }
 
@@ -522,8 +212,8 @@ static bool door_step(struct vboard_usb *usb)
 {
 	bool moved = vboard_usb_bridge_work(&usb->bridge);
 
-	moved |= door_pour(usb);
-	door_tell_events(usb);
+	moved |= vboard_usb_pour(usb);
+	vboard_usb_tell_events(usb);
 	/* That the host is gone is seen when it is read from. */
 	usbredirparser_do_write(usb->parser);
 	return moved;
@@ -538,7 +228,7 @@ static bool door_work(void *data)
 	if (!usb->plugged && !usb->leaving && vboard_now() >= usb->replug)
 		door_plug(usb);
 	do
-		moved = !door_full(usb) && door_step(usb);
+		moved = !vboard_door_usb_full(usb) && door_step(usb);
 	while (moved && vboard_now() < until);
 	return moved;
 }
@@ -554,7 +244,7 @@ static uint64_t door_due(const void *data)
 static short door_events(const void *data)
 {
 	const struct vboard_usb *usb = data;
-	short events = door_full(usb) ? 0 : POLLIN;
+	short events = vboard_door_usb_full(usb) ? 0 : POLLIN;
 
 	return usbredirparser_has_data_to_write(usb->parser) ? events | POLLOUT : events;
 }
@@ -576,21 +266,8 @@ static void door_callbacks(struct usbredirparser *parser)
 	parser->hello_func = door_hello;
 	parser->device_disconnect_ack_func = door_disconnected;
 	parser->reset_func = door_reset;
-	parser->set_configuration_func = door_set_configuration;
-	parser->get_configuration_func = door_get_configuration;
-	parser->set_alt_setting_func = door_set_setting;
-	parser->get_alt_setting_func = door_get_setting;
-	parser->start_interrupt_receiving_func = door_listen;
-	parser->stop_interrupt_receiving_func = door_ignore;
-	parser->cancel_data_packet_func = door_cancel;
-	parser->control_packet_func = door_control;
-	parser->bulk_packet_func = door_bulk;
-	parser->iso_packet_func = door_iso;
-	parser->interrupt_packet_func = door_interrupt;
-	parser->start_iso_stream_func = door_start_iso;
-	parser->stop_iso_stream_func = door_stop_iso;
-	parser->alloc_bulk_streams_func = door_alloc_streams;
-	parser->free_bulk_streams_func = door_free_streams;
+	vboard_usb_take_transfers(parser);
+	vboard_usb_refuse_others(parser);
 }
 
 bool vboard_door_usb_init(struct vboard_usb *usb)
@@ -614,7 +291,7 @@ bool vboard_door_usb_init(struct vboard_usb *usb)
 	usb->end = 1;
 	usb->bridge.faults = &usb->faults;
 	usb->bridge.packet_bytes = usb->super ? 1024 : 512;
-	usb->bridge.ended = door_ended;
+	usb->bridge.ended = vboard_usb_ended;
 	usb->bridge.user = usb;
 	vboard_usb_bridge_init(&usb->bridge);
 	vboard_usb_queue_init(&usb->source);

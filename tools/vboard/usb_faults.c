@@ -146,6 +146,7 @@ void vboard_usb_faults_reset(struct vboard_usb_faults *faults)
 	faults->left = 0;
 	faults->hung = false;
 	faults->due = 0;
+	faults->noise = 0;
 }
 
 /* ---- the window ---- */

@@ -23,7 +23,8 @@
 #define VBOARD_USB_FAULT_SHORT_IN	0x14	/* the n-th IN transfer ends after half its words */
 #define VBOARD_USB_FAULT_EMPTY_IN	0x18	/* so many empty transfers before the next words */
 #define VBOARD_USB_FAULT_DELAY		0x1c	/* each completion leaves so many us later */
-#define VBOARD_USB_FAULT_GARBAGE	0x20	/* the n-th IN word and the 15 after it are noise */
+/* The n-th IN word and the 15 after it are noise, but none after CONTROL.reset. */
+#define VBOARD_USB_FAULT_GARBAGE	0x20
 /* The n-th completion does not leave, nor what is behind it, until CONTROL.reset; 0 ends it too. */
 #define VBOARD_USB_FAULT_HANG		0x24
 #define VBOARD_USB_FAULT_LOSE_OUT	0x28	/* the n-th OUT transfer ends well and is dropped */

@@ -5,7 +5,8 @@ VBOARD_SERVE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/, load.o loop.o option
 VBOARD_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, config.o door_pci.o \
 	faults.o memory.o message.o options_pci.o qtest.o)
 VBOARD_USB_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, door_usb.o \
-	options_usb.o usb_bridge.o usb_control.o usb_descriptors.o usb_faults.o usb_queue.o)
+	options_usb.o usb_bridge.o usb_control.o usb_descriptors.o usb_faults.o usb_queue.o \
+	usb_refuse.o usb_transfers.o)
 VBOARD_MAIN := $(BUILD)/tools/vboard/vboard-pci.o
 VBOARD_USB_MAIN := $(BUILD)/tools/vboard/vboard-usb.o
 VBOARD_ALL := $(sort $(VBOARD_OBJECTS) $(VBOARD_USB_OBJECTS) $(VBOARD_MAIN) $(VBOARD_USB_MAIN))

@@ -55,7 +55,26 @@ bool vboard_usb_configure(struct vboard_usb *usb, uint8_t configuration);
 /* SET_INTERFACE; false: there is no such setting. */
 bool vboard_usb_set_interface(struct vboard_usb *usb, uint8_t interface, uint8_t setting);
 
+/* ---- usb_transfers.c: the endpoints ---- */
+
+void vboard_usb_take_transfers(struct usbredirparser *parser);
+/* The bridge's ->ended, whose user is the vboard_usb. */
+void vboard_usb_ended(void *user, const struct vboard_usb_transfer *transfer,
+		      enum vboard_usb_status status, const void *data, uint32_t bytes);
+/* Ends the first transfer of the plain source; false: there is none. */
+bool vboard_usb_pour(struct vboard_usb *usb);
+/* Sends the events there are, if the host takes them. */
+void vboard_usb_tell_events(struct vboard_usb *usb);
+
+/* ---- usb_refuse.c: what such a device does not have ---- */
+
+void vboard_usb_refuse_others(struct usbredirparser *parser);
+
 /* ---- door_usb.c: the cable ---- */
+
+/* Does so much wait for the host to read it that nothing more is to be done for it? */
+bool vboard_door_usb_full(const struct vboard_usb *usb);
+void vboard_door_usb_unplug(struct vboard_usb *usb);
 
 /*
  * Plugs it in, once the host is there: ->name, ->serial, ->super, ->loop.socket, ->faults and
