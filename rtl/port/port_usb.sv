@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The USB port: jobs on one channel of 32-bit words, their answers on another, as gloss.xml describes it, in front of the
-// core.
+// The USB port: jobs on one channel of 32-bit words, their answers on another, as gloss.xml describes it, in front of
+// the core.
 //
 //   OUT -> FIFO -> out ---> core's slot table, job and stream
 //   IN  <--------- in <---- core's response and status
 //   registers, events
 //
-// The next job's words wait in the FIFO while one runs. The bridge on the other side knows nothing of messages: it turns
-// words into transfers, in_flush_o with a word tells it to send what it has, and what it holds is not the port's. It may
-// come from an FT601, or from a USB core that makes two FIFOs of its endpoints.
+// The next job's words wait in the FIFO while one runs. The bridge on the other side knows nothing of messages: it
+// turns words into transfers and back. in_flush_o with a word tells it to send what it has; what it holds is not the
+// port's. It may be an FT601, or a USB core that makes FIFOs of its endpoints.
 //
 // CONTROL.reset resets all but the registers' access, and the core; whoever stands before the core's memory stops and
-// lets go as port_gate does (memory_*). From the clock after it was written until it reads 0 no word passes; one that was
-// offered on IN is taken back.
+// lets go as port_gate does (memory_*). From the clock after it was written until it reads 0 no word passes; one that
+// was offered on IN, or an event, is taken back.
 module port_usb #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The IN channel: the echo of a usb_sync; and of each job its response in chunks, then its usb_completion. A chunk goes
-// out when all of its words are here, or all of the job's are. The FIFO has room for two, so that the core goes on while
-// one leaves. The job is counted as soon as the core has ended it, whether or not anyone takes words; the core has its
-// next one when its usb_completion is taken.
+// out when all of its words are here, or all of the job's are. The FIFO has room for two, so that the core goes on
+// while one leaves. The job is counted as soon as the core has ended it, whether or not anyone takes words; the core
+// gets its next one when its usb_completion is taken.
 module port_usb_in #(
   parameter int unsigned PixelsPerClock = 1
 ) (

@@ -154,8 +154,6 @@ module port_usb_out #(
     if (state_q == Head) begin
       sequence_q <= window_q[95:64];
       room_q <= word_i;
-    end
-    if (state_q == Head) begin
       left_q <= window_q[127:96];
       more_q <= window_q[127:96] != '0;
     end else if (state_q == Run && take) begin
