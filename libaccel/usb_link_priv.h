@@ -68,6 +68,7 @@ struct accel_usb_link {
 };
 
 /* usb_transfer.c. All but accel_usb_transfers_handle are called with the lock held. */
+/* -ENOMEM: and some are there. */
 int accel_usb_transfers_init(struct accel_usb_link *link);
 void accel_usb_transfers_fini(struct accel_usb_link *link);
 /* Begins to read, and sends a sync with @nonce. The link is starting. */

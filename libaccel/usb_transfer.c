@@ -275,10 +275,7 @@ static bool transfers_init_all(struct accel_usb_link *link)
 int accel_usb_transfers_init(struct accel_usb_link *link)
 {
 	link->in_words = malloc((size_t)USB_IN_TRANSFERS * USB_TRANSFER_BYTES);
-	if (link->in_words && transfers_init_all(link))
-		return 0;
-	accel_usb_transfers_fini(link);
-	return -ENOMEM;
+	return link->in_words && transfers_init_all(link) ? 0 : -ENOMEM;
 }
 
 void accel_usb_transfers_fini(struct accel_usb_link *link)
