@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Tests in a virtual machine: a Debian kernel, the module, and two virtual boards. See README.md.
+# Tests in a virtual machine: a Debian kernel, the module, and four virtual boards. See README.md.
 
 # A test program: tests/vm/NAME.c (or .sh) makes $(BUILD)/tests/vm/NAME. The list it runs from has
 # WHO:NAME[:SECONDS], WHO root or user; fragments of single tests add theirs.
@@ -12,7 +12,7 @@ VM_NEEDS :=
 -include $(sort $(filter-out tests/vm/vm.mk,$(wildcard tests/vm/*.mk)))
 
 VM_CFLAGS = -Idriver -Ilibaccel -Itools/vboard $(shell pkg-config --cflags libdrm)
-VM_LIBS   = $(shell pkg-config --libs libdrm) -lcmocka -lpthread -ldl -lm
+VM_LIBS   = -lcmocka $(ACCEL_LIBS)
 
 # What a program needs besides, objects or archives, is a prerequisite of its own:
 # $(BUILD)/tests/vm/NAME: $(BUILD)/tests/vm/HELPER.o
