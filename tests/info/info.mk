@@ -18,4 +18,5 @@ run-udev:
 	$(call quiet,TEST,udev)
 	$(Q)tests/info/test_udev.sh
 
+UNIT_TESTS += udev
 CHECKS += info info-sanitize
