@@ -1,0 +1,135 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What programs say of USB boards that are missing, not permitted or in use, to an ordinary user; and
+# that they can be used again after.
+set -u
+work=$(mktemp -d)
+chmod 755 "$work"
+group=$(stat -c %g "$GLOSS_NODE_RTL")
+holder=
+failures=0
+
+fail() {
+	failures=$((failures + 1))
+	echo "FAILED: $*"
+	sed 's/^/    /' "$work/out" "$work/err"
+}
+
+# as_user GROUP PROGRAM ARGUMENT...: as user 1000, in GROUP besides its own.
+as_user() {
+	as=$1 program=$2
+	shift 2
+	setpriv --reuid 1000 --regid 1000 --groups "$as" "$GLOSS_BUILD/$program" "$@" \
+		>"$work/out" 2>"$work/err"
+	status=$?
+}
+
+# refused_by PROGRAM GROUP WHAT DEVICE REASON ARGUMENT...: one line, exit 1.
+refused_by() {
+	program=$1 as=$2 line="$1: $3: ${4%:}: $5" device=$4
+	shift 5
+	as_user "$as" "$program" --device "$device" "$@"
+	[ "$status" -eq 1 ] || fail "$program $device: exit $status, not 1"
+	[ "$(wc -l <"$work/err")" -eq 1 ] || fail "$program $device: not one line"
+	grep -qxF "$line" "$work/err" || fail "not '$line'"
+	[ ! -s "$work/out" ] || fail "$program $device: prints"
+}
+
+# refused GROUP WHAT DEVICE REASON: by both programs.
+refused() {
+	refused_by gloss-info "$@"
+	refused_by gloss-view "$@" --size 64x64 --stats sphere:1
+}
+
+# usable DEVICE: by both programs.
+usable() {
+	as_user "$group" gloss-info --device "$1"
+	[ "$status" -eq 0 ] || fail "gloss-info $1: exit $status"
+	as_user "$group" gloss-view --device "$1" --size 64x64 --stats sphere:1
+	[ "$status" -eq 0 ] || fail "gloss-view $1: exit $status"
+}
+
+# listed DEVICE PATTERN: a line of gloss-info --list.
+listed() {
+	as_user "$group" gloss-info --list
+	[ "$status" -eq 0 ] || fail "gloss-info --list: exit $status"
+	grep -qx "$1  *$2" "$work/out" || fail "gloss-info --list: no '$1', '$2'"
+}
+
+# node DEVICE: its node in /dev, by its serial number.
+node() {
+	for file in /sys/bus/usb/devices/*/serial; do
+		[ "$(cat "$file")" != "${1##*/}" ] || break
+	done
+	printf '/dev/bus/usb/%03d/%03d' "$(cat "${file%/*}/busnum")" "$(cat "${file%/*}/devnum")"
+}
+
+rtl=$GLOSS_USB_RTL model=$GLOSS_USB_MODEL
+rtl_node=$(node "$rtl") model_node=$(node "$model")
+trap 'chmod 660 $rtl_node $model_node; [ -z "$holder" ] || kill -KILL $holder; rm -rf "$work"' EXIT
+
+usable "$rtl"
+usable "$model"
+usable "usb:/${model##*/}"
+usable usb:
+
+# ---- names ----
+
+refused "$group" 'can not open device' "${rtl}X" \
+	"there is no board ${rtl}X; gloss-info --list shows those that are there"
+refused "$group" 'can not open device' usb:1d6b:0f02 \
+	'no Gloss board 1d6b:0f02 on USB; lsusb shows what is plugged in'
+refused "$group" 'no such device' usb:RTL0 'name a board as in usb:1209:0001/SERIAL, usb:/SERIAL or usb:'
+
+# ---- not permitted ----
+
+# denied NODE
+denied() {
+	echo "not permitted: $1; install 60-gloss.rules, as make install does, and plug the board in again"
+}
+
+refused 1000 'can not open device' "$rtl" "$(denied "$rtl_node")"
+chmod 600 "$model_node"
+refused "$group" 'can not open device' "$model" "$(denied "$model_node")"
+listed usb:1209:0001 "$(denied "$model_node")"
+usable usb:
+chmod 660 "$model_node"
+
+# ---- in use ----
+
+SDL_VIDEODRIVER=dummy "$GLOSS_BUILD/gloss-view" --device "$model" --size 64x64 --window sphere:1 &
+holder=$!
+for _ in $(seq 100); do
+	as_user "$group" gloss-info --device "$model"
+	[ "$status" -eq 0 ] || break
+done
+refused "$group" 'can not open device' "$model" "$model is in use by another program"
+listed "$model" 'Gloss USB board .*'
+usable usb:
+kill -INT $holder
+wait $holder
+holder=
+usable "$model"
+
+# ---- none on the bus ----
+
+host=$(realpath /sys/bus/usb/devices/usb1)
+host=${host%/usb1}
+driver=$(realpath "$host/driver")
+echo "${host##*/}" >"$driver/unbind"
+refused "$group" 'can not open device' usb: \
+	'no Gloss board 1209:0001 on USB; lsusb shows what is plugged in'
+as_user "$group" gloss-info --list
+grep -q '^usb:' "$work/out" && fail 'boards without a bus'
+echo "${host##*/}" >"$driver/bind"
+for _ in $(seq 100); do
+	as_user "$group" gloss-info --list
+	[ "$(grep -c '^usb:.*Gloss USB board' "$work/out")" -lt 2 ] || break
+	sleep 0.1
+done
+rtl_node=$(node "$rtl") model_node=$(node "$model")
+usable "$rtl"
+usable "$model"
+
+echo "$failures failures"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+# The library and the programs on USB boards, as the ordinary user meets them.
+
+VM_TESTS += user:test_usb_bunny user:test_usb_programs root:test_usb_messages root:test_usb_rule \
+	user:test_usb_stream
+VM_NEEDS += $(BUILD)/gloss-info
+
+$(BUILD)/tests/vm/test_usb_stream: $(VM_STREAM_OBJS)
+
+$(BUILD)/tests/vm/usb_plain.o: VM_CFLAGS += $(shell pkg-config --cflags libusb-1.0)
+$(BUILD)/tests/vm/test_usb_throughput: $(BUILD)/tests/vm/usb_plain.o
