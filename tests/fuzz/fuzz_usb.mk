@@ -3,7 +3,7 @@
 
 FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
 	$(addprefix tools/vboard/,port_base.c board_engine.c port_usb.c board_usb_model.c) \
-	$(addprefix libaccel/,transport_usb.c usb_link.c usb_message.c usb_node.c range.c)
+	$(USB_SOURCES:%=libaccel/%) libaccel/range.c
 FUZZ_USB_MESSAGE_SOURCES := tests/fuzz/fuzz_usb_message.c libaccel/usb_message.c
 FUZZ_USB_HEADERS := $(wildcard tests/fuzz/*.h tests/usb/*.h tools/vboard/*.h libaccel/*.h \
 	libaccel/model/*.h)
@@ -34,3 +34,5 @@ fuzz-usb-short: $(FUZZ_USB_PROGRAMS)
 	$(Q)rm -rf $(BUILD)/fuzz/usb-short $(BUILD)/fuzz/usb-message
 	$(call fuzz_run,fuzz_usb_message,-runs=300000 -max_total_time=10,$(BUILD)/fuzz/usb-message,fuzz_usb_message_corpus)
 	$(call fuzz_run,fuzz_usb,-max_total_time=20,$(BUILD)/fuzz/usb-short,fuzz_usb_corpus)
+
+CHECKS += fuzz-usb-short

@@ -342,8 +342,8 @@ static int report(const struct test *t)
 
 int main(int argc, char **argv)
 {
-	const char *seed = getenv("GLOSS_SEED");
-	uint64_t first = 0, cases = 1000;
+	const char *seed = getenv("GLOSS_SEED"), *count = getenv("USB_FAULTS");
+	uint64_t first = 0, cases = count && *count ? strtoull(count, NULL, 0) : 1000;
 	int option;
 
 	test.seed = seed && *seed ? strtoull(seed, NULL, 0) : (uint64_t)time(NULL);

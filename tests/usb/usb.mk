@@ -6,7 +6,7 @@ FAKE_USB_SOURCES := $(addprefix tests/usb/, fake_usb.c fake_usb_bridge.c fake_us
 	fake_usb_clock.c fake_usb_descriptor.c fake_usb_device.c fake_usb_handle.c fake_usb_sync.c \
 	fake_usb_transfer.c)
 FAKE_USB_OBJS := $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o) $(BOARD_USB_MODEL_OBJECTS)
-FAKE_USB_CFLAGS := -Idriver -Itools/vboard -Itests/usb -Itests/unit -Itests/stream
+FAKE_USB_CFLAGS := $(USB_CFLAGS) -Itools/vboard -Itests/usb -Itests/unit -Itests/stream
 FAKE_USB_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, clock_gettime pthread_cond_timedwait \
 	pthread_cond_clockwait nanosleep usleep)
 
@@ -15,34 +15,38 @@ $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o): $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
 
-# Tests in tests/usb; those in tests/unit that want the fake are in USB_UNIT_TESTS.
-USB_TESTS := test_fake_usb test_usb_faults test_usb_errors
-
-$(USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/usb/%.c
-$(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
-$(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_USB_OBJS) \
-		$(STREAM_RANDOM_OBJS) $(BUILD)/libaccel/parts.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d \
-		$(filter %.c %.o,$^) $(filter %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
-		$(filter-out -lusb-1.0,$(ACCEL_LIBS)) -o $@
-
--include $(FAKE_USB_OBJS:.o=.o.d)
-
 USB_TRIAL_OBJ := $(BUILD)/tests/usb/usb_trial.o
 $(USB_TRIAL_OBJ): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
 
--include $(USB_TRIAL_OBJ).d
+# Without libusb's header there is nothing to test.
+ifneq ($(USB_LIBS),)
+# Tests in tests/usb; those in tests/unit that want the fake are in USB_UNIT_TESTS.
+USB_TESTS := test_fake_usb test_usb_errors test_usb_faults
 
-# Many random faults, and a few of them in the tools that find races and what was not set.
-USB_FAULTS ?= 1000
-USB_FAULTS_SAMPLE ?= 40
+$(USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/usb/%.c
+$(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
 $(BUILD)/tests/unit/test_usb_faults: $(USB_TRIAL_OBJ)
+$(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_USB_OBJS) \
+		$(STREAM_RANDOM_OBJS) $(BUILD)/libaccel/parts.a
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+		$(filter %.c %.o,$^) $(filter %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
+		$(filter-out $(USB_LIBS),$(ACCEL_LIBS)) -o $@
 
-UNIT_TESTS += test_fake_usb
-SANITIZED_TESTS += test_fake_usb
+# They run under ASan and UBSan, TSan and valgrind, too: the last two are slow and have a sample.
+USB_FAULTS_SAMPLE ?= 40
+USB_VALGRIND_TESTS := test_fake_usb test_usb_faults
+ACCEL_UNIT_TESTS += $(USB_TESTS)
+UNIT_TESTS += $(USB_TESTS)
+VALGRIND_TESTS += $(USB_VALGRIND_TESTS)
+unit-thread unit-valgrind: export USB_FAULTS ?= $(USB_FAULTS_SAMPLE)
+unit-valgrind: $(USB_VALGRIND_TESTS:%=$(BUILD)/tests/unit/%)
+
 include tests/fuzz/fuzz_usb.mk
+endif
+
+-include $(FAKE_USB_OBJS:.o=.o.d) $(USB_TRIAL_OBJ).d
