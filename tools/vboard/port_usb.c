@@ -18,12 +18,21 @@ static uint32_t fifo_pop(struct port_usb_fifo *fifo)
 	return word;
 }
 
+/* How many of the @count words from entry @at on are before the FIFO's end. */
+static uint32_t fifo_before_end(uint32_t at, uint32_t count)
+{
+	return count < PORT_USB_FIFO_WORDS - at ? count : PORT_USB_FIFO_WORDS - at;
+}
+
 static uint32_t fifo_pop_many(struct port_usb_fifo *fifo, uint32_t *words, uint32_t most)
 {
 	uint32_t count = most < fifo->count ? most : fifo->count;
+	uint32_t before = fifo_before_end(fifo->first, count);
 
-	for (uint32_t n = 0; n < count; n++)
-		words[n] = fifo_pop(fifo);
+	memcpy(words, fifo->word + fifo->first, 4 * (size_t)before);
+	memcpy(words + before, fifo->word, 4 * (size_t)(count - before));
+	fifo->first = (fifo->first + count) % PORT_USB_FIFO_WORDS;
+	fifo->count -= count;
 	return count;
 }
 
@@ -35,10 +44,11 @@ static uint32_t fifo_room(const struct port_usb_fifo *fifo)
 /* There is room. */
 static void fifo_push_many(struct port_usb_fifo *fifo, const uint32_t *words, uint32_t count)
 {
-	uint32_t at = fifo->first + fifo->count;
+	uint32_t at = (fifo->first + fifo->count) % PORT_USB_FIFO_WORDS;
+	uint32_t before = fifo_before_end(at, count);
 
-	for (uint32_t n = 0; n < count; n++)
-		fifo->word[(at + n) % PORT_USB_FIFO_WORDS] = words[n];
+	memcpy(fifo->word + at, words, 4 * (size_t)before);
+	memcpy(fifo->word, words + before, 4 * (size_t)(count - before));
 	fifo->count += count;
 }
 
