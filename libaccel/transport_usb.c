@@ -210,7 +210,8 @@ static void transport_usb_memory_free(void *state, uint64_t base)
 /* ---- jobs ---- */
 
 /* A job without its slots and its stream, and where these go. */
-static struct accel_usb_job *usb_job_new(const struct accel_transport_job *from, uint32_t **rest)
+static struct accel_usb_job *usb_job_new(struct transport_usb *transport,
+					 const struct accel_transport_job *from, uint32_t **rest)
 {
 	const struct gloss_usb_job head = {
 		.slots = from->slots,
@@ -220,17 +221,17 @@ static struct accel_usb_job *usb_job_new(const struct accel_transport_job *from,
 	};
 	struct accel_usb_job *job;
 
-	job = accel_usb_job_new(GLOSS_USB_JOB_WORDS +
-				(size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS + from->stream_words);
+	job = accel_usb_job_new(transport->link, GLOSS_USB_JOB_WORDS + from->stream_words +
+				(size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS);
 	if (!job)
 		return NULL;
-	gloss_usb_job_pack(job->message, &head);
+	gloss_usb_job_pack(job->message->word, &head);
 	job->answer = (struct accel_usb_answer){
 		.stream_words = from->stream_words,
 		.response = from->response,
 		.response_words = from->response_words,
 	};
-	*rest = job->message + GLOSS_USB_JOB_WORDS;
+	*rest = job->message->word + GLOSS_USB_JOB_WORDS;
 	return job;
 }
 
@@ -248,7 +249,7 @@ static int usb_clear_queue(struct transport_usb *transport, struct usb_object *o
 		.stream_words = accel_clear_words(object->tiles),
 		.slots = 1,
 	};
-	struct accel_usb_job *job = usb_job_new(&from, &words);
+	struct accel_usb_job *job = usb_job_new(transport, &from, &words);
 	int err;
 
 	if (!job)
@@ -258,7 +259,7 @@ static int usb_clear_queue(struct transport_usb *transport, struct usb_object *o
 	accel_clear_pack(words + GLOSS_SLOT_ENTRY_WORDS, tile_size, object->tiles);
 	err = accel_usb_link_submit(transport->link, job, losses, &object->clearing);
 	if (err)
-		accel_usb_job_free(job);
+		accel_usb_job_free(transport->link, job);
 	return err;
 }
 
@@ -349,7 +350,7 @@ static int transport_usb_submit(void *state, const struct accel_transport_job *f
 
 	if (from->slots > GLOSS_SLOTS)
 		return -EINVAL;
-	job = usb_job_new(from, &words);
+	job = usb_job_new(transport, from, &words);
 	if (!job)
 		return -ENOMEM;
 	err = usb_fill_slots(transport, from, words);
@@ -359,7 +360,7 @@ static int transport_usb_submit(void *state, const struct accel_transport_job *f
 	if (!err)
 		err = usb_job_submit(transport, job, from, sequence);
 	if (err)
-		accel_usb_job_free(job);
+		accel_usb_job_free(transport->link, job);
 	return err;
 }
 

@@ -15,31 +15,36 @@
 /* A longer wait is one for ever; the sum with the present still fits any time_t. */
 #define WAIT_MAX_S 1000000000
 
-/* What may wait in memory to be sent; a larger job goes by itself. */
-#define QUEUED_MAX (64u << 20)
+/* With as much in memory to be sent, a further job waits: more would not be sent any sooner. */
+#define QUEUED_MAX (4u << 20)
 
 /* When the thread has seen no job for a while, it looks no more, but is called. */
 #define SLEEP_MS 60000
 
-/* ---- jobs: with the lock held ---- */
+/* ---- jobs ---- */
 
-struct accel_usb_job *accel_usb_job_new(size_t words)
+struct accel_usb_job *accel_usb_job_new(struct accel_usb_link *link, size_t words)
 {
-	struct accel_usb_job *job;
+	struct accel_usb_job *job = malloc(sizeof(*job));
 
-	if (words > (SIZE_MAX - sizeof(*job)) / sizeof(uint32_t))
+	if (!job)
 		return NULL;
-	job = malloc(sizeof(*job) + words * sizeof(uint32_t));
-	if (job)
-		*job = (struct accel_usb_job){ .bytes = words * sizeof(uint32_t) };
+	*job = (struct accel_usb_job){ .message = accel_usb_pool_get(&link->pool, words) };
+	if (!job->message) {
+		free(job);
+		return NULL;
+	}
+	job->bytes = words * sizeof(uint32_t);
 	return job;
 }
 
-void accel_usb_job_free(struct accel_usb_job *job)
+void accel_usb_job_free(struct accel_usb_link *link, struct accel_usb_job *job)
 {
+	accel_usb_pool_put(&link->pool, job->message);
 	free(job);
 }
 
+/* The functions from here on are called with the lock held. */
 static void job_end(struct accel_usb_link *link, struct accel_usb_job *job, int error)
 {
 	job->ended = true;
@@ -50,12 +55,17 @@ static void job_end(struct accel_usb_link *link, struct accel_usb_job *job, int 
 
 void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job)
 {
-	if (job->answered && job->sent == job->bytes)
-		job_end(link, job, 0);
-	pthread_cond_signal(&link->room);
+	if (job->sent == job->bytes) {
+		accel_usb_pool_put(&link->pool, job->message);
+		job->message = NULL;
+		if (job->answered)
+			job_end(link, job, 0);
+	}
+	if (link->waiting && link->queued < QUEUED_MAX)
+		pthread_cond_signal(&link->room);
 }
 
-/* Nothing is in flight any more. */
+/* Nothing of them is in flight any more. */
 static void link_lose(struct accel_usb_link *link, int error)
 {
 	struct accel_usb_job *job;
@@ -67,6 +77,14 @@ static void link_lose(struct accel_usb_link *link, int error)
 	link->queued = 0;
 	link->losses++;
 	pthread_cond_broadcast(&link->room);
+}
+
+/* After a sync: what was before it is lost, and jobs are sent again. With the lock held. */
+static void link_begin(struct accel_usb_link *link)
+{
+	link_lose(link, -EIO);
+	if (link->state == USB_LINK_STARTING)
+		link->state = USB_LINK_READY;
 }
 
 /* ---- the thread ---- */
@@ -88,22 +106,22 @@ void accel_usb_link_break(struct accel_usb_link *link, int err)
 		link_wake(link);
 }
 
-/* With the lock held, which it gives up meanwhile. */
+/*
+ * With the lock held, which it gives up meanwhile. What has become of the jobs is only known when
+ * the board works again, or is gone: that a cable is unplugged can look like any error at first.
+ */
 static void link_recover(struct accel_usb_link *link)
 {
 	int err;
 
 	pthread_mutex_unlock(&link->lock);
 	accel_usb_link_drain(link);
-	pthread_mutex_lock(&link->lock);
-	if (link->state == USB_LINK_GONE)
-		return;
-	link_lose(link, -EIO);
-	pthread_mutex_unlock(&link->lock);
 	err = accel_usb_link_sync(link);
 	pthread_mutex_lock(&link->lock);
 	if (err)
 		link->state = USB_LINK_GONE;
+	else
+		link_begin(link);
 }
 
 /* Likewise. */
@@ -162,6 +180,7 @@ static void link_init_locks(struct accel_usb_link *link)
 
 	pthread_mutex_init(&link->lock, NULL);
 	pthread_cond_init(&link->room, NULL);
+	accel_usb_pool_init(&link->pool);
 	pthread_condattr_init(&attributes);
 	pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
 	pthread_cond_init(&link->ended, &attributes);
@@ -171,6 +190,7 @@ static void link_init_locks(struct accel_usb_link *link)
 static void link_destroy(struct accel_usb_link *link)
 {
 	accel_usb_transfers_fini(link);
+	accel_usb_pool_fini(&link->pool);
 	pthread_cond_destroy(&link->ended);
 	pthread_cond_destroy(&link->room);
 	pthread_mutex_destroy(&link->lock);
@@ -192,6 +212,7 @@ int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **out)
 		err = accel_usb_link_sync(link);
 	if (err)
 		goto err_destroy;
+	link_begin(link);
 	err = link_start(link);
 	if (err)
 		goto err_drain;
@@ -231,17 +252,20 @@ uint64_t accel_usb_link_losses(struct accel_usb_link *link)
 }
 
 /* With the lock held, which it gives up while it waits. */
-static void link_wait_for_room(struct accel_usb_link *link, size_t bytes)
+static void link_wait_for_room(struct accel_usb_link *link)
 {
-	while (link->state != USB_LINK_GONE && link->queued && link->queued + bytes > QUEUED_MAX)
+	link->waiting = true;
+	while (link->state != USB_LINK_GONE && link->queued >= QUEUED_MAX)
 		pthread_cond_wait(&link->room, &link->lock);
+	link->waiting = false;
 }
 
 /* With the lock held. */
 static void link_append(struct accel_usb_link *link, struct accel_usb_job *job)
 {
 	job->sequence = ++link->sequence;
-	job->answer.sequence = job->message[GLOSS_USB_JOB_SEQUENCE_WORD] = (uint32_t)job->sequence;
+	job->answer.sequence = job->message->word[GLOSS_USB_JOB_SEQUENCE_WORD] =
+		(uint32_t)job->sequence;
 	*link->last = job;
 	link->last = &job->next;
 	if (!link->sending)
@@ -262,7 +286,7 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 	int err = 0;
 
 	pthread_mutex_lock(&link->lock);
-	link_wait_for_room(link, job->bytes);
+	link_wait_for_room(link);
 	if (link->state == USB_LINK_GONE)
 		err = -ENODEV;
 	else if (link->losses != losses)
@@ -356,6 +380,6 @@ int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t 
 	*status = job->error ? (struct gloss_status){ .cause = GLOSS_FAULT_NONE } :
 			       job->answer.status;
 	err = job->error;
-	accel_usb_job_free(job);
+	accel_usb_job_free(link, job);
 	return err;
 }

@@ -12,6 +12,7 @@
 
 #include "usb_message.h"
 #include "usb_node.h"
+#include "usb_pool.h"
 
 struct accel_usb_job {
 	struct accel_usb_job *next;
@@ -23,7 +24,7 @@ struct accel_usb_job {
 	int error;			/* if it has ended so */
 	size_t bytes;			/* of the message */
 	size_t started, sent;		/* given to transfers, and in those that have ended */
-	uint32_t message[];
+	struct accel_usb_buffer *message;	/* NULL once it is sent */
 };
 
 struct accel_usb_link;
@@ -37,8 +38,8 @@ int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **link
 void accel_usb_link_free(struct accel_usb_link *link);
 
 /* A job with room for a message of @words words; NULL: out of memory. */
-struct accel_usb_job *accel_usb_job_new(size_t words);
-void accel_usb_job_free(struct accel_usb_job *job);
+struct accel_usb_job *accel_usb_job_new(struct accel_usb_link *link, size_t words);
+void accel_usb_job_free(struct accel_usb_link *link, struct accel_usb_job *job);
 
 /* How often all that was outstanding has been lost. */
 uint64_t accel_usb_link_losses(struct accel_usb_link *link);

@@ -51,6 +51,7 @@ struct accel_usb_link {
 	uint32_t *in_words;		/* the buffers of IN */
 	uint32_t event_words[GLOSS_USB_EVENT_WORDS];
 	uint32_t sync_words[GLOSS_USB_SYNC_WORDS];
+	struct accel_usb_pool pool;	/* has its own lock */
 	bool halted_out, halted_in, halted_event;
 	bool hint;			/* the board says that it is lost */
 	bool synchronised;
@@ -61,6 +62,7 @@ struct accel_usb_link {
 	uint64_t losses;
 	uint64_t moves;			/* changes with each job and transfer that is of use */
 	size_t queued;			/* bytes that are not sent */
+	bool waiting;			/* for less to be queued */
 	unsigned int running;		/* jobs that have not ended */
 	struct accel_usb_job *first, **last;	/* in order, until waited for */
 	struct accel_usb_job *sending;		/* the first not started as a whole */
@@ -92,7 +94,7 @@ int accel_usb_link_watch(struct accel_usb_link *link);
 /* usb_sync.c, without the lock. */
 /* Ends what is in flight. */
 void accel_usb_link_drain(struct accel_usb_link *link);
-/* Resets the board and finds the beginning of IN; the link is ready then. -EIO, -ENODEV. */
+/* Resets the board and finds the beginning of IN; the link is starting still. -EIO, -ENODEV. */
 int accel_usb_link_sync(struct accel_usb_link *link);
 
 /* CLOCK_MONOTONIC */

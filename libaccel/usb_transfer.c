@@ -54,7 +54,7 @@ void accel_usb_transfers_send(struct accel_usb_link *link)
 
 		if (count > USB_TRANSFER_BYTES)
 			count = USB_TRANSFER_BYTES;
-		if (!out_submit(out, job, (uint8_t *)job->message + job->started, count))
+		if (!out_submit(out, job, (uint8_t *)job->message->word + job->started, count))
 			return;
 		job->started += count;
 		if (job->started == job->bytes)
@@ -163,7 +163,7 @@ static bool in_take(struct accel_usb_link *link, const struct libusb_transfer *t
 	if (count)
 		link->moves++;
 	while (count) {
-		struct accel_usb_job *job = link->answering;
+		struct accel_usb_job *job = link->state == USB_LINK_READY ? link->answering : NULL;
 
 		if (!in_message(link, accel_usb_parser_take(&link->parser,
 							    job ? &job->answer : NULL, &words,
