@@ -90,7 +90,7 @@ static void sync_wait(struct accel_usb_link *link)
 /* Sends the sync, and waits for it to come back. */
 static int sync_echo(struct accel_usb_link *link, uint32_t nonce)
 {
-	enum usb_link_state state;
+	int err = 0;
 
 	pthread_mutex_lock(&link->lock);
 	if (link->state != USB_LINK_GONE) {
@@ -98,17 +98,14 @@ static int sync_echo(struct accel_usb_link *link, uint32_t nonce)
 		accel_usb_transfers_start(link, nonce);
 	}
 	sync_wait(link);
-	if (link->state == USB_LINK_STARTING && link->synchronised)
-		link->state = USB_LINK_READY;
-	else
+	if (link->state != USB_LINK_STARTING || !link->synchronised) {
 		accel_usb_link_break(link, -EIO);
-	accel_usb_transfers_send(link);
-	state = link->state;
+		err = link->state == USB_LINK_GONE ? -ENODEV : -EIO;
+	}
 	pthread_mutex_unlock(&link->lock);
-	if (state < USB_LINK_BROKEN)
-		return 0;
-	accel_usb_link_drain(link);
-	return state == USB_LINK_GONE ? -ENODEV : -EIO;
+	if (err)
+		accel_usb_link_drain(link);
+	return err;
 }
 
 static int sync_once(struct accel_usb_link *link)
