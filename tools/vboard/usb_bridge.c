@@ -30,12 +30,11 @@ static struct vboard_usb_queue *bridge_queue(struct vboard_usb_bridge *bridge, u
 }
 
 bool vboard_usb_bridge_submit(struct vboard_usb_bridge *bridge, uint64_t id, uint8_t endpoint,
-			      unsigned int faults, uint32_t *data, uint32_t bytes)
+			      uint32_t *data, uint32_t bytes)
 {
 	const struct vboard_usb_transfer transfer = {
 		.id = id,
 		.endpoint = endpoint,
-		.faults = faults,
 		.data = data,
 		.bytes = bytes,
 	};
@@ -73,18 +72,6 @@ bool *vboard_usb_bridge_halted(struct vboard_usb_bridge *bridge, uint8_t endpoin
 	}
 }
 
-/* Whether @transfer was stalled. */
-static bool bridge_stall(struct vboard_usb_bridge *bridge, struct vboard_usb_transfer *transfer,
-			 bool *halted)
-{
-	if (transfer->faults & VBOARD_USB_STALL)
-		*halted = true;
-	if (!*halted)
-		return false;
-	bridge_end(bridge, transfer, VBOARD_USB_STALLED, NULL, 0);
-	return true;
-}
-
 void vboard_usb_bridge_drop(struct vboard_usb_bridge *bridge)
 {
 	bridge_forget(&bridge->out);
@@ -98,6 +85,18 @@ void vboard_usb_bridge_drop(struct vboard_usb_bridge *bridge)
 
 /* ---- OUT ---- */
 
+/* The fault of a transfer that begins. */
+static void bridge_begin(struct vboard_usb_bridge *bridge, struct vboard_usb_transfer *transfer)
+{
+	enum vboard_usb_fault fault = vboard_usb_faults_out(bridge->faults);
+
+	transfer->begun = true;
+	if (fault == VBOARD_USB_STALL)
+		bridge->out_halted = true;
+	if (fault == VBOARD_USB_LOSE)
+		transfer->taken = transfer->bytes / 4;
+}
+
 /* Bytes at the end that fill no word are dropped. */
 static bool bridge_out(struct vboard_usb_bridge *bridge)
 {
@@ -106,11 +105,13 @@ static bool bridge_out(struct vboard_usb_bridge *bridge)
 
 	if (!transfer)
 		return false;
-	if (bridge_stall(bridge, transfer, &bridge->out_halted))
+	if (!transfer->begun && !bridge->out_halted)
+		bridge_begin(bridge, transfer);
+	if (bridge->out_halted) {
+		bridge_end(bridge, transfer, VBOARD_USB_STALLED, NULL, 0);
 		return true;
+	}
 	words = transfer->bytes / 4;
-	if (transfer->faults & VBOARD_USB_LOSE)
-		transfer->taken = words;
 	if (transfer->taken < words)
 		taken = bridge->ops->out(bridge->board, transfer->data + transfer->taken,
 					 words - transfer->taken);
@@ -161,58 +162,70 @@ static bool bridge_take(struct vboard_usb_bridge *bridge, uint32_t wanted)
 	return moved;
 }
 
-/* Sends the first @words of those there are. */
+/*
+ * Sends the first @words of those there are. Without a packet that is not full the host does not
+ * see the end of the burst behind them, so then an empty one is still to come.
+ */
 static void bridge_send(struct vboard_usb_bridge *bridge, struct vboard_usb_transfer *transfer,
 			uint32_t words)
 {
+	bool full = words && 4 * words == transfer->bytes &&
+		    transfer->bytes % bridge->packet_bytes == 0;
+
 	bridge_end(bridge, transfer, VBOARD_USB_DONE, bridge->word, 4 * words);
+	if (words == bridge->count && !full)
+		bridge->burst_ended = false;
 	bridge->count -= words;
 	bridge->may -= words;
 	if (bridge->count)
 		memmove(bridge->word, bridge->word + words, 4 * (size_t)bridge->count);
 }
 
-/* The transfer ends as soon as it is full or has all up to the end of a burst. */
-static bool bridge_give(struct vboard_usb_bridge *bridge, struct vboard_usb_transfer *transfer)
+/* Ends a transfer for which there are @words. */
+static void bridge_give(struct vboard_usb_bridge *bridge, struct vboard_usb_transfer *transfer,
+			uint32_t words)
 {
-	uint32_t wanted = transfer->bytes / 4, words;
-	bool all, whole;
+	switch (vboard_usb_faults_in(bridge->faults, words)) {
+	case VBOARD_USB_STALL:
+		bridge->in_halted = true;
+		bridge_end(bridge, transfer, VBOARD_USB_STALLED, NULL, 0);
+		break;
+	case VBOARD_USB_EMPTY:
+		bridge_end(bridge, transfer, VBOARD_USB_DONE, NULL, 0);
+		break;
+	case VBOARD_USB_SHORT:
+		bridge_send(bridge, transfer, words / 2);
+		break;
+	default:
+		bridge_send(bridge, transfer, words);
+		break;
+	}
+}
 
+/* A transfer ends as soon as it is full or has all up to the end of a burst. */
+static bool bridge_in(struct vboard_usb_bridge *bridge)
+{
+	struct vboard_usb_transfer *transfer = bridge->in.first;
+	uint32_t wanted, words;
+	bool moved;
+
+	if (!transfer)
+		return false;
+	if (bridge->in_halted) {
+		bridge_end(bridge, transfer, VBOARD_USB_STALLED, NULL, 0);
+		return true;
+	}
+	wanted = transfer->bytes / 4;
+	moved = bridge_take(bridge, wanted);
 	if (bridge->held && !vboard_usb_faults_hold(bridge->faults))
 		bridge->held = false;
 	if (!bridge->held)
 		bridge->may = bridge->count;
 	words = bridge->may < wanted ? bridge->may : wanted;
-	all = bridge->burst_ended && words == bridge->count;
-	if (words < wanted && !all)
-		return false;
-	if (vboard_usb_faults_empty(bridge->faults)) {
-		bridge_send(bridge, transfer, 0);
-		return true;
-	}
-	if (transfer->faults & VBOARD_USB_SHORT && words > 1) {
-		words /= 2;
-		all = false;
-	}
-	/* Without a packet that is not full the host does not see the end of the burst. */
-	whole = words && 4 * words == transfer->bytes && transfer->bytes % bridge->packet_bytes == 0;
-	bridge_send(bridge, transfer, words);
-	if (all && !whole)
-		bridge->burst_ended = false;
+	if (words < wanted && !(bridge->burst_ended && words == bridge->count))
+		return moved;
+	bridge_give(bridge, transfer, words);
 	return true;
-}
-
-static bool bridge_in(struct vboard_usb_bridge *bridge)
-{
-	struct vboard_usb_transfer *transfer = bridge->in.first;
-	bool moved;
-
-	if (!transfer)
-		return false;
-	if (bridge_stall(bridge, transfer, &bridge->in_halted))
-		return true;
-	moved = bridge_take(bridge, transfer->bytes / 4);
-	return bridge_give(bridge, transfer) || moved;
 }
 
 bool vboard_usb_bridge_work(struct vboard_usb_bridge *bridge)

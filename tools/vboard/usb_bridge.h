@@ -19,9 +19,9 @@ struct vboard_usb_transfer {
 	struct vboard_usb_transfer *next;
 	uint64_t id;			/* the host's */
 	uint8_t endpoint;
-	unsigned int faults;		/* of usb_faults.h, that are to happen to it */
 	uint32_t bytes;			/* there are of OUT, or is room for of IN */
 	uint32_t *data;			/* of OUT, malloc'ed */
+	bool begun;			/* of OUT */
 	uint32_t taken;			/* words of OUT that the board has */
 };
 
@@ -62,7 +62,7 @@ void vboard_usb_bridge_fini(struct vboard_usb_bridge *bridge);
  * OUT. False: it is too long, or too many wait: it was not taken, nor was @data.
  */
 bool vboard_usb_bridge_submit(struct vboard_usb_bridge *bridge, uint64_t id, uint8_t endpoint,
-			      unsigned int faults, uint32_t *data, uint32_t bytes);
+			      uint32_t *data, uint32_t bytes);
 /* Ends it as cancelled, if it is here. */
 void vboard_usb_bridge_cancel(struct vboard_usb_bridge *bridge, uint64_t id);
 

@@ -23,35 +23,42 @@ void vboard_usb_faults_init(struct vboard_usb_faults *faults,
 
 /* ---- transfers ---- */
 
-unsigned int vboard_usb_faults_transfer(struct vboard_usb_faults *faults, bool in)
+bool vboard_usb_faults_unplug(struct vboard_usb_faults *faults)
 {
-	struct vboard_usb_faults_armed *armed = &faults->armed;
-	unsigned int what = 0;
+	return faults->armed.unplug != VBOARD_USB_FAULT_UNPLUG_NOW &&
+	       faults_hit(&faults->armed.unplug);
+}
 
-	if (armed->unplug != VBOARD_USB_FAULT_UNPLUG_NOW && faults_hit(&armed->unplug))
-		what |= VBOARD_USB_UNPLUG;
-	if (faults_hit(&armed->exit))
-		what |= VBOARD_USB_EXIT;
-	if (faults_hit(in ? &armed->stall_in : &armed->stall_out))
-		what |= VBOARD_USB_STALL;
-	if (in && faults_hit(&armed->short_in))
-		what |= VBOARD_USB_SHORT;
-	if (!in && faults_hit(&armed->lose_out))
-		what |= VBOARD_USB_LOSE;
-	return what;
+bool vboard_usb_faults_exit(struct vboard_usb_faults *faults)
+{
+	return faults_hit(&faults->armed.exit);
+}
+
+enum vboard_usb_fault vboard_usb_faults_out(struct vboard_usb_faults *faults)
+{
+	bool stall = faults_hit(&faults->armed.stall_out);
+	bool lose = faults_hit(&faults->armed.lose_out);
+
+	return stall ? VBOARD_USB_STALL : lose ? VBOARD_USB_LOSE : VBOARD_USB_FAULT_NONE;
+}
+
+enum vboard_usb_fault vboard_usb_faults_in(struct vboard_usb_faults *faults, uint32_t words)
+{
+	if (faults_hit(&faults->armed.stall_in))
+		return VBOARD_USB_STALL;
+	if (faults->armed.empty_in) {
+		faults->armed.empty_in--;
+		return VBOARD_USB_EMPTY;
+	}
+	/* One word has no half, so its fault is that of the next one. */
+	if (words > 1 && faults_hit(&faults->armed.short_in))
+		return VBOARD_USB_SHORT;
+	return VBOARD_USB_FAULT_NONE;
 }
 
 bool vboard_usb_faults_refuse(struct vboard_usb_faults *faults)
 {
 	return faults_hit(&faults->armed.refuse_control);
-}
-
-bool vboard_usb_faults_empty(struct vboard_usb_faults *faults)
-{
-	if (!faults->armed.empty_in)
-		return false;
-	faults->armed.empty_in--;
-	return true;
 }
 
 /* ---- words of IN ---- */

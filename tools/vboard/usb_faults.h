@@ -17,7 +17,10 @@
 /* The cable is pulled when the n-th transfer of the port comes; 0xffffffff: now. */
 #define VBOARD_USB_FAULT_UNPLUG		0x04
 #define VBOARD_USB_FAULT_REPLUG		0x08	/* it is back so many ms later; 0: never */
-/* The n-th transfer is stalled, and the endpoint halts until the host clears that. */
+/*
+ * The n-th transfer of the port is stalled, and the endpoint halts until the host clears that.
+ * Transfers count when it is their turn: OUT when it begins, IN when it would end.
+ */
 #define VBOARD_USB_FAULT_STALL_OUT	0x0c
 #define VBOARD_USB_FAULT_STALL_IN	0x10
 #define VBOARD_USB_FAULT_SHORT_IN	0x14	/* the n-th IN transfer ends after half its words */
@@ -41,13 +44,12 @@ struct vboard_usb_faults_armed {
 	uint32_t lose_out, exit, refuse_control;
 };
 
-/* What happens to a transfer. */
-enum {
-	VBOARD_USB_UNPLUG	= 1 << 0,
-	VBOARD_USB_EXIT		= 1 << 1,
-	VBOARD_USB_STALL	= 1 << 2,
-	VBOARD_USB_LOSE		= 1 << 3,
-	VBOARD_USB_SHORT	= 1 << 4,
+enum vboard_usb_fault {
+	VBOARD_USB_FAULT_NONE,
+	VBOARD_USB_STALL,
+	VBOARD_USB_LOSE,
+	VBOARD_USB_SHORT,
+	VBOARD_USB_EMPTY,
 };
 
 struct vboard_usb_faults {
@@ -64,12 +66,15 @@ struct vboard_usb_faults {
 void vboard_usb_faults_init(struct vboard_usb_faults *faults,
 			    const struct vboard_usb_faults_armed *armed);
 
-/* A transfer of the port comes; what will happen to it. */
-unsigned int vboard_usb_faults_transfer(struct vboard_usb_faults *faults, bool in);
+/* A transfer of the port comes: is the cable pulled, does the program end? */
+bool vboard_usb_faults_unplug(struct vboard_usb_faults *faults);
+bool vboard_usb_faults_exit(struct vboard_usb_faults *faults);
+/* What happens to the OUT transfer that begins. */
+enum vboard_usb_fault vboard_usb_faults_out(struct vboard_usb_faults *faults);
+/* What happens to the IN transfer that is about to end with @words words. */
+enum vboard_usb_fault vboard_usb_faults_in(struct vboard_usb_faults *faults, uint32_t words);
 /* A register request of the port comes; true: it is stalled. */
 bool vboard_usb_faults_refuse(struct vboard_usb_faults *faults);
-/* Words are about to leave; true: an empty transfer is to come first. */
-bool vboard_usb_faults_empty(struct vboard_usb_faults *faults);
 
 /*
  * The next @count words of IN, which may become noise. How many of them may leave now: the

@@ -118,18 +118,16 @@ void vboard_usb_ended(void *data, const struct vboard_usb_transfer *transfer,
 static bool usb_port(struct vboard_usb *usb, uint64_t id, uint8_t endpoint, uint8_t *bytes,
 		     uint32_t count)
 {
-	unsigned int faults = vboard_usb_faults_transfer(&usb->faults, endpoint & 0x80);
-
-	if (faults & VBOARD_USB_EXIT)
+	if (vboard_usb_faults_exit(&usb->faults))
 		usb->end = -ECANCELED;
-	if (faults & VBOARD_USB_UNPLUG) {
+	if (vboard_usb_faults_unplug(&usb->faults)) {
 		usbredirparser_free_packet_data(usb->parser, bytes);
 		vboard_door_usb_unplug(usb);
 		return true;
 	}
 	/* malloc() made the bytes, so they are aligned. */
-	return vboard_usb_bridge_submit(&usb->bridge, id, endpoint, faults,
-					(uint32_t *)(void *)bytes, count);
+	return vboard_usb_bridge_submit(&usb->bridge, id, endpoint, (uint32_t *)(void *)bytes,
+					count);
 }
 
 static bool usb_sink(struct vboard_usb *usb, uint64_t id, uint8_t *bytes, uint32_t count)
