@@ -40,6 +40,15 @@ ACCEL_UNIT_TESTS += $(DRM_TESTS)
 UNIT_TESTS += $(DRM_TESTS)
 endif
 
+# Boards on USB, on the libusb of tests/usb, whose fragment builds most of these.
+ifneq ($(USB_LIBS),)
+USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
+	test_transport_usb_out_of_memory
+$(BUILD)/tests/unit/test_transport_usb_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
+ACCEL_UNIT_TESTS += test_usb_message test_clear $(USB_UNIT_TESTS)
+UNIT_TESTS += test_usb_message test_clear $(USB_UNIT_TESTS)
+endif
+
 # Plugins without a core: one that is right, and some that are wrong in one thing each.
 FAKE_SIM_DIR := $(BUILD)/tests/unit/fake-sim
 FAKE_SIMS := $(addsuffix .so,$(addprefix $(FAKE_SIM_DIR)/accel-sim-, \
@@ -80,7 +89,7 @@ unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
 		CFLAGS='-O1 -g -fsanitize=thread' $(ACCEL_UNIT_TESTS:%=run-%)
 
 VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim \
-	$(filter-out %_out_of_memory,$(DRM_TESTS))
+	$(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS))
 unit-valgrind: $(VALGRIND_TESTS:%=$(BUILD)/tests/unit/%) $(FAKE_SIMS)
 	$(Q)for test in $(VALGRIND_TESTS); do \
 		FAKE_SIM_PATH=$(FAKE_SIM_DIR) valgrind -q --error-exitcode=1 --leak-check=full \
