@@ -41,6 +41,7 @@ static void read_line(struct plan *plan, const char *key, const char *value)
 		{ "modules", &plan->modules }, { "seed", &plan->seed },
 		{ "slow", &plan->slow_text },  { "term", &plan->term },
 		{ "rows", &plan->rows },       { "columns", &plan->columns },
+		{ "points", &plan->points },
 	};
 
 	for (size_t i = 0; i < sizeof(texts) / sizeof(texts[0]); i++)

@@ -287,6 +287,8 @@ static void set_up(void)
 	setenv("GLOSS_USB_MODEL", "usb:1209:0001/MODEL0", 1);
 	if (plan.seed)
 		setenv("GLOSS_SEED", plan.seed, 1);
+	if (plan.points)
+		setenv("GLOSS_POINTS", plan.points, 1);
 	/* What a test leaves behind becomes a child of this process. */
 	prctl(PR_SET_CHILD_SUBREAPER, 1);
 	log_fd = log_open();

@@ -29,7 +29,7 @@ struct plan_test {
 };
 
 struct plan {
-	char *out, *source, *build, *driver, *modules, *seed, *slow_text;
+	char *out, *source, *build, *driver, *modules, *seed, *points, *slow_text;
 	char *term, *rows, *columns;
 	char *modprobe[PLAN_MODULES];
 	struct plan_test tests[PLAN_TESTS];
