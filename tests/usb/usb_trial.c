@@ -14,6 +14,8 @@
 #define TRIANGLES 5
 #define READ_WORDS 4096u		/* of each slot */
 #define DAMAGED_EVERY 4
+#define COPY_BLOCK (GLOSS_LENGTH_MAX - 2)	/* words of a packet */
+#define COPY_BLOCKS 100
 
 /* What a device did for a job of the generator. */
 struct job_side {
@@ -32,14 +34,27 @@ struct picture_side {
 	int result;
 };
 
+/* Words that go there and come back, block by block, so that both ways are busy at once. */
+struct copy {
+	struct accel_buffer *buffer;
+	struct accel_stream *stream;
+	struct accel_fence *fence;
+	uint32_t *sent, *back;
+	uint32_t blocks;
+	int result;
+};
+
+enum item_kind { ITEM_JOB, ITEM_PICTURE, ITEM_COPY };
+
 struct item {
-	bool picture;
+	enum item_kind kind;
 	uint64_t seed;
 	uint32_t content_words;
 	struct stream_random random;
 	int width, height;
 	struct job_side job[2];			/* of the board, of the model */
 	struct picture_side drawn[2];
+	struct copy copy;
 };
 
 static const char *context = "";
@@ -272,8 +287,10 @@ static int picture_submit(const struct item *item, struct picture_side *side,
 
 static int picture_finish(const struct item *item, struct picture_side *side)
 {
+	bool submitted = side->fence;
+
 	side->result = -ENODEV;
-	if (side->fence) {
+	if (submitted) {
 		side->result = accel_fence_wait(side->fence, -1, NULL);
 		if (!side->result)
 			side->result = accel_target_read_colour(side->target, side->pixel,
@@ -281,7 +298,7 @@ static int picture_finish(const struct item *item, struct picture_side *side)
 		accel_fence_free(side->fence);
 	}
 	accel_target_free(side->target);
-	return side->fence ? side->result : 0;
+	return submitted ? side->result : 0;
 }
 
 static void picture_prepare(struct item *item)
@@ -301,27 +318,125 @@ static void picture_compare(const struct item *item)
 			      (size_t)(item->width * item->height));
 }
 
+/* ---- a copy: what is right is known without the model ---- */
+
+static int copy_emit(struct copy *copy)
+{
+	uint32_t words[1 + GLOSS_LENGTH_MAX], count = 0;
+	int err = 0;
+
+	for (uint32_t block = 0; block < copy->blocks && !err; block++) {
+		const struct gloss_write_memory write = { .slot = 0, .offset = 4 * COPY_BLOCK * block };
+		const struct gloss_read_memory read = { .slot = 0, .offset = 4 * COPY_BLOCK * block,
+							.count = COPY_BLOCK };
+
+		gloss_write_memory_pack(words, &write, 2 + COPY_BLOCK);
+		memcpy(words + 3, copy->sent + COPY_BLOCK * block, 4 * COPY_BLOCK);
+		err = accel_stream_emit(copy->stream, words, 3 + COPY_BLOCK);
+		gloss_read_memory_pack(words, &read);
+		if (!err)
+			err = accel_stream_emit(copy->stream, words, 1 + GLOSS_READ_MEMORY_WORDS);
+		count += COPY_BLOCK;
+	}
+	return err ? err : accel_stream_submit(copy->stream, copy->back, count, &copy->fence);
+}
+
+static int copy_submit(struct copy *copy, struct accel_device *device)
+{
+	int err = accel_buffer_new(device, 4ull * COPY_BLOCK * copy->blocks, &copy->buffer);
+
+	if (!err)
+		err = accel_stream_new(device, &copy->stream);
+	if (!err)
+		err = accel_stream_slot(copy->stream, copy->buffer,
+					ACCEL_SLOT_READ | ACCEL_SLOT_WRITE);
+	return err < 0 ? err : copy_emit(copy);
+}
+
+static int copy_finish(struct copy *copy)
+{
+	bool submitted = copy->fence;
+
+	copy->result = submitted ? accel_fence_wait(copy->fence, -1, NULL) : -ENODEV;
+	accel_fence_free(copy->fence);
+	accel_stream_free(copy->stream);
+	accel_buffer_free(copy->buffer);
+	return submitted ? copy->result : 0;
+}
+
+static void copy_prepare(struct item *item)
+{
+	struct copy *copy = &item->copy;
+	uint64_t seed = item->seed;
+
+	copy->blocks = 1 + below(&seed, 1 + below(&seed, COPY_BLOCKS));
+	copy->sent = memory(COPY_BLOCK * copy->blocks, 4);
+	copy->back = memory(COPY_BLOCK * copy->blocks, 4);
+	for (uint32_t n = 0; n < COPY_BLOCK * copy->blocks; n++)
+		copy->sent[n] = (uint32_t)next(&seed);
+}
+
+static void copy_compare(const struct item *item)
+{
+	if (!item->copy.result)
+		compare_words(item, "a copy", item->copy.back, item->copy.sent,
+			      COPY_BLOCK * item->copy.blocks);
+}
+
 /* ---- all of them ---- */
 
+/* On the board (@side 0) or the model. */
 static int item_submit(struct item *item, int side, struct accel_device *device)
 {
-	return item->picture ? picture_submit(item, &item->drawn[side], device) :
-			       job_submit(item, &item->job[side], device);
+	switch (item->kind) {
+	case ITEM_JOB:
+		return job_submit(item, &item->job[side], device);
+	case ITEM_PICTURE:
+		return picture_submit(item, &item->drawn[side], device);
+	default:
+		return side ? 0 : copy_submit(&item->copy, device);
+	}
 }
 
 static int item_finish(struct item *item, int side)
 {
-	return item->picture ? picture_finish(item, &item->drawn[side]) :
-			       job_finish(&item->job[side]);
+	switch (item->kind) {
+	case ITEM_JOB:
+		return job_finish(&item->job[side]);
+	case ITEM_PICTURE:
+		return picture_finish(item, &item->drawn[side]);
+	default:
+		return side ? 0 : copy_finish(&item->copy);
+	}
+}
+
+static void item_compare(const struct item *item)
+{
+	switch (item->kind) {
+	case ITEM_JOB:
+		job_compare(item);
+		break;
+	case ITEM_PICTURE:
+		picture_compare(item);
+		break;
+	default:
+		copy_compare(item);
+	}
 }
 
 static void item_prepare(struct item *item, uint64_t *seed, unsigned int tile_size)
 {
-	*item = (struct item){ .seed = next(seed), .picture = below(seed, 4) == 0 };
-	if (item->picture)
+	static const enum item_kind kind[] = {
+		ITEM_JOB, ITEM_JOB, ITEM_JOB, ITEM_JOB, ITEM_PICTURE, ITEM_PICTURE, ITEM_COPY,
+	};
+
+	*item = (struct item){ .seed = next(seed), .kind = kind[below(seed, 7)] };
+	if (item->kind == ITEM_JOB)
+		job_prepare(item, tile_size);
+	else if (item->kind == ITEM_PICTURE)
 		picture_prepare(item);
 	else
-		job_prepare(item, tile_size);
+		copy_prepare(item);
 }
 
 static void item_free(struct item *item)
@@ -331,6 +446,8 @@ static void item_free(struct item *item)
 		free(item->job[n].content);
 		free(item->drawn[n].pixel);
 	}
+	free(item->copy.sent);
+	free(item->copy.back);
 }
 
 static int items_run(struct item *items, int count, int side, struct accel_device *device)
@@ -368,12 +485,8 @@ int usb_trial_run(struct accel_device *device, struct accel_device *model, uint6
 	check_error(err, tampered);
 	if (items_run(items, count, 1, model))
 		usb_trial_fail("the model failed");
-	for (int n = 0; n < count && !tampered; n++) {
-		if (items[n].picture)
-			picture_compare(&items[n]);
-		else
-			job_compare(&items[n]);
-	}
+	for (int n = 0; n < count && !tampered; n++)
+		item_compare(&items[n]);
 	for (int n = 0; n < count; n++)
 		item_free(&items[n]);
 	free(items);
