@@ -31,7 +31,7 @@ $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
 $(BUILD)/tests/unit/test_usb_faults: $(USB_TRIAL_OBJ)
 $(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_USB_OBJS) \
 		$(STREAM_RANDOM_OBJS) $(BUILD)/libaccel/parts.a
-	$(call quiet,CC,$<)
+	$(call quiet,CC,$(filter %.c,$^))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter %.c %.o,$^) $(filter %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
