@@ -364,10 +364,12 @@ static void a_board_that_does_not_start_again_is_gone(void **state)
 	for (size_t i = 0; i < sizeof(faults) / sizeof(faults[0]); i++) {
 		unsigned int resets = fake_usb.resets;
 
+		fake_usb_hold();
+		start_waiters(*state, waiter, 4);
 		fake_usb_leap(true);
 		fake_usb_arm(0, faults[i].fault, 1, faults[i].value);
 		fake_usb_arm(0, FAKE_USB_ERROR_IN, 1, 0);
-		start_waiters(*state, waiter, 4);
+		fake_usb_release();
 		check_gone(state, waiter, 4);
 		assert_in_range(fake_usb.resets - resets, 1, 4);
 		fake_usb_leap(false);
