@@ -68,27 +68,36 @@ typedef void (*accel_message_fn)(void *data, const char *message);
 /*
  * Receives one device: the name that accel_device_new takes for it, and a line for people
  * without a newline, which says what it is or why it would not open. Both are lent for the
- * call. They may hold what a board says of itself: any bytes but 0.
+ * call. What a board says of itself is in them as printable ASCII, the rest as "?".
  */
 typedef void (*accel_device_list_fn)(void *data, const char *name, const char *line);
 
 /*
  * Calls @found with each device there is, in the order in which "auto" tries them: boards
  * that would not open, because another program has them or this one has no permission,
- * are listed too. @found is called from this thread and may call the library; what it
- * does there does not change what is listed after it.
+ * are listed too; none is disturbed in what it does. @found is called from this thread and
+ * may call the library; what it does there does not change what is listed after it.
  * 0 also when there is none; -ENOMEM after some may have been listed.
  */
 int accel_device_list(accel_device_list_fn found, void *data);
 
 /*
  * Opens the board called @name: "drm:" (a PCI board, through the kernel module gloss),
- * "model:" (the C model, in this process), "sim:" (the Verilated RTL, in this process)
- * or "auto" (the first of these that opens; also for NULL). The colon may be left out
- * if nothing follows.
+ * "usb:" (a board on USB, through libusb), "model:" (the C model, in this process),
+ * "sim:" (the Verilated RTL, in this process) or "auto" (the first of these that opens;
+ * also for NULL). The colon may be left out if nothing follows.
  *
  * "drm:" is the first render node of a Gloss board that opens, "drm:/dev/dri/renderD128"
- * that node. Options of the others follow the colon, separated by commas:
+ * that node.
+ *
+ * "usb:" is the first Gloss board on USB that opens, "usb:1209:0001/SERIAL" the one with
+ * these ids and that serial number; "/SERIAL" may be left out, or the ids if they are
+ * these. One program at a time has such a board. When the cable fails, jobs that were
+ * submitted and had not ended fail with -EIO, the board starts again, what buffers hold
+ * stays, and the next job is as ever; when it is unplugged all fail with -ENODEV, for
+ * good: plugged in again it is another device to be opened.
+ *
+ * Options of the others follow the colon, separated by commas:
  *
  *   tile=32 or 64	pixels of a tile's side; 64 if not given
  *   lanes=1, 2, 4, 8	pixels a clock, "sim:" only; 8 if not given
@@ -99,8 +108,9 @@ int accel_device_list(accel_device_list_fn found, void *data);
  * sim/ beside the library, then where `make install` puts it.
  * @message may be NULL; it and @data must last as long as the device.
  * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
- * allowed, -EINVAL a name or an option that is not understood. The message says what
- * to do about it. "auto" says nothing of a board that is not there.
+ * allowed, -EBUSY another program has it, -EINVAL a name or an option that is not
+ * understood. The message says what to do about it. "auto" says nothing of a board that
+ * is not there.
  */
 int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **device);

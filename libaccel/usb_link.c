@@ -377,9 +377,10 @@ int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t 
 	pthread_mutex_unlock(&link->lock);
 	if (!job)
 		return err;
-	*status = job->error ? (struct gloss_status){ .cause = GLOSS_FAULT_NONE } :
-			       job->answer.status;
+	*status = (struct gloss_status){ .cause = GLOSS_FAULT_NONE };
 	err = job->error;
+	if (!err)
+		*status = job->answer.status;
 	accel_usb_job_free(link, job);
 	return err;
 }

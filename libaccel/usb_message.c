@@ -55,8 +55,6 @@ static enum accel_usb_message parser_header(struct accel_usb_parser *parser,
 	struct gloss_usb_response response;
 
 	gloss_usb_response_unpack(&word, &response);
-	if (!answer)
-		return parser_garbled(parser);
 	if (response.mark == GLOSS_USB_RESPONSE_MAGIC)
 		return parser_chunk_begin(parser, answer, response.count);
 	if (response.mark != GLOSS_USB_COMPLETION_MAGIC || word & COMPLETION_ZERO)
@@ -117,9 +115,11 @@ static enum accel_usb_message parser_completion(struct accel_usb_parser *parser,
 static enum accel_usb_message parser_word(struct accel_usb_parser *parser,
 					  struct accel_usb_answer *answer, uint32_t word)
 {
-	switch (parser->state) {
-	case ACCEL_USB_PARSER_SEARCH:
+	if (parser->state == ACCEL_USB_PARSER_SEARCH)
 		return parser_search(parser, word);
+	if (!answer)
+		return parser_garbled(parser);
+	switch (parser->state) {
 	case ACCEL_USB_PARSER_HEADER:
 		return parser_header(parser, answer, word);
 	case ACCEL_USB_PARSER_COMPLETION:
@@ -138,7 +138,7 @@ enum accel_usb_message accel_usb_parser_take(struct accel_usb_parser *parser,
 	while (*count && message == ACCEL_USB_MORE) {
 		size_t taken = 1;
 
-		if (parser->state == ACCEL_USB_PARSER_CHUNK)
+		if (parser->state == ACCEL_USB_PARSER_CHUNK && answer)
 			taken = parser_chunk(parser, answer, *words, *count);
 		else
 			message = parser_word(parser, answer, **words);

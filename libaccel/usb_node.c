@@ -333,7 +333,7 @@ static void node_list_one(libusb_device *device, const struct usb_where *where,
 			  accel_device_list_fn found, void *data)
 {
 	struct accel_transport_error error = { "" };
-	struct accel_usb_node node;
+	struct accel_usb_node node = { .context = NULL };
 	int err;
 
 	node_set_name(&node, where, "");
@@ -353,7 +353,7 @@ static void node_list_one(libusb_device *device, const struct usb_where *where,
 int accel_usb_node_list(accel_device_list_fn found, void *data)
 {
 	const struct usb_where where = { GLOSS_USB_VENDOR, GLOSS_USB_PRODUCT, NULL };
-	struct accel_transport_error error;
+	struct accel_transport_error error = { "" };
 	libusb_device **list, *device;
 	libusb_context *context;
 	unsigned int last = 0;

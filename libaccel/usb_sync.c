@@ -110,7 +110,7 @@ static int sync_echo(struct accel_usb_link *link, uint32_t nonce)
 
 static int sync_once(struct accel_usb_link *link)
 {
-	uint32_t nonce;
+	uint32_t nonce = 0;
 	int err;
 
 	err = sync_clear_halt(link, &link->halted_out, GLOSS_USB_ENDPOINT_OUT);

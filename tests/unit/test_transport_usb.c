@@ -6,7 +6,7 @@
 #include "usb_test.h"
 
 #define PAGE_WORDS 1024u
-#define QUEUED_MAX (64u << 20)
+#define QUEUED_MAX (4u << 20)
 
 /* ---- what a job is ---- */
 
