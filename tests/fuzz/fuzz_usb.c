@@ -254,8 +254,8 @@ static const struct gloss_usb_board_ops hostile_ops = {
 static const char *text(unsigned int which, const char *right)
 {
 	const char *const texts[] = {
-		right, NULL, "", "\x01\x7f\xff%s%n/../, \"quoted\" and longer than any name ought to "
-		"be: 0123456789012345678901234567890123456789012345678901234567890123456789",
+		right, NULL, "", "\x01\x7f\xff%s%n/../, \"quoted\" and longer than any name ought "
+		"to be: 0123456789012345678901234567890123456789012345678901234567890123456789",
 	};
 
 	return texts[which & 3];

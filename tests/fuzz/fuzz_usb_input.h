@@ -33,10 +33,11 @@
 struct fuzz_usb_head {
 	uint8_t flags;
 	uint8_t jobs, response;		/* how many of them, and pages they ask for */
-	uint8_t interface_class, interface_subclass, interface_protocol;	/* xor the right ones */
+	/* Of the descriptors; all but the counts xor what is right. */
+	uint8_t interface_class, interface_subclass, interface_protocol;
 	uint8_t interfaces, endpoints;
-	uint8_t endpoint[3][2];		/* address and attributes, xor the right ones */
-	uint8_t texts;			/* bits 1:0 of the serial number, 3:2 of the product */
+	uint8_t endpoint[3][2];		/* address and attributes */
+	uint8_t texts;			/* bits 1:0: serial number, 3:2: product */
 	uint8_t fault[FUZZ_USB_FAULTS][3];	/* kind, at, value */
 	uint8_t call, error;		/* this call fails; 0: none */
 };

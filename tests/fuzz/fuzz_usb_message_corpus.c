@@ -64,7 +64,8 @@ static void put_job(struct input *input, uint32_t job, uint64_t *seed)
 	gloss_usb_completion_pack(input->word + input->count, &(struct gloss_usb_completion){
 		.cause = fault ? GLOSS_FAULT_SLOT : GLOSS_FAULT_NONE,
 		.mark = GLOSS_USB_COMPLETION_MAGIC, .sequence = job,
-		.offset = fault ? below(seed, FUZZ_MESSAGE_STREAM_WORDS) : FUZZ_MESSAGE_STREAM_WORDS,
+		.offset = fault ? below(seed, FUZZ_MESSAGE_STREAM_WORDS) :
+				  FUZZ_MESSAGE_STREAM_WORDS,
 		.response_words = words });
 	input->count += GLOSS_USB_COMPLETION_WORDS;
 }

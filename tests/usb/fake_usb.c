@@ -161,6 +161,16 @@ void fake_usb_disarm(void)
 	pthread_mutex_unlock(&fake.lock);
 }
 
+unsigned int fake_usb_fired(void)
+{
+	unsigned int fired;
+
+	pthread_mutex_lock(&fake.lock);
+	fired = fake_usb.fired;
+	pthread_mutex_unlock(&fake.lock);
+	return fired;
+}
+
 void fake_usb_fail(const char *function, unsigned int at, int error)
 {
 	pthread_mutex_lock(&fake.lock);

@@ -33,7 +33,7 @@ struct fake_usb_board {
 	const struct gloss_usb_board_ops *ops;	/* used when it is first plugged in */
 	bool present;
 	bool foreign;			/* another program has claimed interface 0 */
-	int open_error;			/* of libusb_open: LIBUSB_ERROR_ACCESS; 0: it opens */
+	int open_error;			/* of libusb_open; 0: it opens */
 	enum libusb_speed speed;
 	uint16_t vendor, product;
 	const char *manufacturer_text, *product_text, *serial;	/* NULL: it has none */
@@ -73,8 +73,8 @@ enum fake_usb_fault {
 	FAKE_USB_HANG_OUT,		/* no word is taken any more, likewise */
 	FAKE_USB_REFUSE_CONTROL,	/* the at-th request and the @value after it are stalled */
 	FAKE_USB_HANG_CONTROL,		/* those are not answered */
-	FAKE_USB_RESET_LASTS,		/* CONTROL.reset reads 1 @value times after it is written */
-	FAKE_USB_DELAY,			/* each completion comes @value us later, from now on */
+	FAKE_USB_RESET_LASTS,		/* CONTROL.reset then reads 1 @value times */
+	FAKE_USB_DELAY,			/* each end comes @value us later, from now on */
 	FAKE_USB_FAULTS
 };
 
@@ -86,7 +86,7 @@ struct fake_usb {
 	unsigned int submits, callbacks;
 	unsigned int depth_out, depth_in;	/* most transfers in flight at once */
 	unsigned int resets;		/* CONTROL.reset written */
-	unsigned int fired;		/* faults */
+	unsigned int fired;		/* faults that have come, those of calls too */
 	uint64_t out_words, in_words;
 
 	/* That are there now. */
@@ -105,6 +105,8 @@ void fake_usb_stop(void);
 void fake_usb_arm(unsigned int board, enum fake_usb_fault fault, uint64_t at, uint32_t value);
 /* None is armed any more, and what did not end by itself has ended. */
 void fake_usb_disarm(void);
+/* fired, while threads of the library may be at work. */
+unsigned int fake_usb_fired(void);
 const char *fake_usb_fault_name(enum fake_usb_fault fault);
 
 /*
@@ -134,5 +136,7 @@ uint8_t *fake_usb_memory(unsigned int board);
  */
 void fake_usb_leap(bool always);
 int64_t fake_usb_now_ns(void);
+/* By how much it has leapt in all. */
+int64_t fake_usb_leapt_ns(void);
 
 #endif

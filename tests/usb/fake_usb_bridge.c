@@ -236,7 +236,8 @@ static bool cancel_pump(struct fake_bridge *bridge)
 static bool bridge_pump(struct fake_bridge *bridge)
 {
 	static bool (*const step[])(struct fake_bridge *) = {
-		cancel_pump, control_pump, fake_out_pump, fake_out_offer, fake_in_take, fake_in_pump, fake_event_pump,
+		cancel_pump, control_pump, fake_out_pump, fake_out_offer, fake_in_take,
+		fake_in_pump, fake_event_pump,
 	};
 	bool moved = false;
 

@@ -49,6 +49,11 @@ int64_t fake_usb_now_ns(void)
 	return real_ns(CLOCK_MONOTONIC) + leapt;
 }
 
+int64_t fake_usb_leapt_ns(void)
+{
+	return leapt;
+}
+
 void fake_clock_leap(int64_t ns)
 {
 	leapt += ns;

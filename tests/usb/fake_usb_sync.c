@@ -133,7 +133,8 @@ static const struct error_text *error_find(int error)
 		ERROR(ERROR_PIPE, "Pipe error"),
 		ERROR(ERROR_INTERRUPTED, "System call interrupted (perhaps due to signal)"),
 		ERROR(ERROR_NO_MEM, "Insufficient memory"),
-		ERROR(ERROR_NOT_SUPPORTED, "Operation not supported or unimplemented on this platform"),
+		ERROR(ERROR_NOT_SUPPORTED,
+		      "Operation not supported or unimplemented on this platform"),
 	};
 	static const struct error_text other = ERROR(ERROR_OTHER, "Other error");
 #undef ERROR

@@ -264,26 +264,29 @@ static void transfer_call(struct fake_transfer *transfer)
 	pthread_mutex_lock(&fake.lock);
 }
 
-static struct fake_transfer *ended_first(const struct libusb_context *context, int64_t now)
+/* Of those that are due; the order of callbacks is not promised. */
+static struct fake_transfer *ended_any(const struct libusb_context *context, int64_t now)
 {
-	struct fake_transfer *transfer = fake.ended.first;
+	struct fake_transfer *transfer, *any = NULL;
 
-	while (transfer && (transfer->handle->device->context != context || transfer->due > now))
-		transfer = transfer->next;
-	return transfer;
+	for (transfer = fake.ended.first; transfer; transfer = transfer->next)
+		if (transfer->handle->device->context == context && transfer->due <= now &&
+		    (!any || !fake_below(4)))
+			any = transfer;
+	return any;
 }
 
 /* Some of those that are due, or all. False: none is. */
 static bool dispatch(struct libusb_context *context)
 {
 	int64_t now = fake_usb_now_ns();
-	struct fake_transfer *transfer = ended_first(context, now);
+	struct fake_transfer *transfer = ended_any(context, now);
 	bool any = fake_device_announce(context);
 
 	while (transfer) {
 		transfer_call(transfer);
 		any = true;
-		transfer = fake_below(8) ? ended_first(context, now) : NULL;
+		transfer = fake_below(8) ? ended_any(context, now) : NULL;
 	}
 	return any;
 }

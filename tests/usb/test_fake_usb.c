@@ -427,7 +427,7 @@ static size_t echo(enum fake_usb_fault fault, uint32_t value, uint32_t *words, s
 	       !libusb_bulk_transfer(host.handle, GLOSS_USB_ENDPOINT_IN,
 				     (unsigned char *)words + bytes, 512, &moved, 1000))
 		bytes += moved;
-	assert_true(!fault || fake_usb.fired);
+	assert_true(!fault || fake_usb_fired());
 	host_close(&host);
 	fake_usb_stop();
 	return (size_t)bytes;

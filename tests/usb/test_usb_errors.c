@@ -65,7 +65,7 @@ static bool fail_call(const char *function, unsigned int at, int error, uint64_t
 	fake_usb_start(seed);
 	fake_usb_fail(function, at, error);
 	err = live();
-	came = fake_usb.fired;
+	came = fake_usb_fired();
 	if (!is_clean(err) || (err && !came))
 		fail_msg("call %u of %s: %s: %s", at, function, libusb_error_name(error),
 			 strerror(-err));

@@ -20,6 +20,7 @@
 
 #define HANG_SECONDS 120		/* outside; what takes long here takes a tenth of one */
 #define RETRIES 3
+#define TOLD_NS 1500000000ll
 #define DEPTH 4				/* transfers in flight, at least */
 #define CALL FAKE_USB_FAULTS		/* not the cable: a call answers an error */
 
@@ -151,6 +152,26 @@ static bool fault_harmless(const struct fault *fault)
 	       (fault->kind == FAKE_USB_DELAY && fault->value < 500000);
 }
 
+/* A transfer ends with it, so that nobody has to wait until nothing has moved for long. */
+static bool fault_is_told(const struct fault *fault)
+{
+	switch (fault->kind) {
+	case FAKE_USB_UNPLUG:
+	case FAKE_USB_KILL:
+	case FAKE_USB_STALL_OUT:
+	case FAKE_USB_STALL_IN:
+	case FAKE_USB_ERROR_OUT:
+	case FAKE_USB_ERROR_IN:
+	case FAKE_USB_OVERFLOW_IN:
+		return true;
+	case FAKE_USB_ODD_IN:
+		/* In search of the sync, words are dropped, as are those that are none. */
+		return !fault->early;
+	default:
+		return false;
+	}
+}
+
 static bool fault_ends_host(const struct fault *fault)
 {
 	return fault->kind == FAKE_USB_UNPLUG || fault->kind == FAKE_USB_KILL;
@@ -227,15 +248,15 @@ static void check_open_error(int err)
 static void count_result(struct count *count, int err)
 {
 	count->cases++;
-	count->fired += fake_usb.fired != 0;
+	count->fired += fake_usb_fired() != 0;
 	count->right += !err;
 	count->io += err == -EIO;
 	count->gone += err == -ENODEV;
 	count->other += err && err != -EIO && err != -ENODEV;
 }
 
-/* Until what the fault has left, and nobody has met yet, is met. True: the device is gone. */
-static bool recover(struct test *test, struct accel_device *device, uint64_t *seed)
+/* Until what the fault has left, and nobody has met yet, is met; or the device says it is gone. */
+static void recover(struct test *test, struct accel_device *device, uint64_t *seed)
 {
 	int err = -EIO;
 
@@ -244,7 +265,6 @@ static bool recover(struct test *test, struct accel_device *device, uint64_t *se
 	if (err && err != -ENODEV)
 		usb_trial_fail("%d jobs after the fault there is still: %s", RETRIES,
 			       strerror(-err));
-	return err;
 }
 
 static void check_next(struct test *test, uint64_t *seed)
@@ -260,12 +280,60 @@ static void check_next(struct test *test, uint64_t *seed)
 	accel_device_free(device);
 }
 
-static void check_result(const struct fault *fault, int err)
+static void check_result(const struct fault *fault, int err, int64_t waited_ns)
 {
-	if (err && !fake_usb.fired)
+	if (waited_ns > TOLD_NS && fault_is_told(fault))
+		usb_trial_fail("it took %lld ms to be noticed", (long long)waited_ns / 1000000);
+	if (err && !fake_usb_fired())
 		usb_trial_fail("%s, and there was no fault yet", strerror(-err));
 	if (err && fault_harmless(fault))
 		usb_trial_fail("%s, and there was nothing wrong", strerror(-err));
+}
+
+static void case_name(struct test *test, const struct fault *fault)
+{
+	snprintf(test->text, sizeof(test->text), "case %llu (%s at %llu, value %u, error %d%s; "
+		 "GLOSS_SEED=%llu test_usb_faults -g %llu -n 1 repeats it)",
+		 (unsigned long long)test->number, fault_name(fault->kind),
+		 (unsigned long long)fault->at, fault->value, fault->error,
+		 fault->early ? ", early" : "", (unsigned long long)test->seed,
+		 (unsigned long long)test->number);
+	usb_trial_context(test->text);
+}
+
+/* Returns what became of it; the device may be NULL then. */
+static int case_work(struct test *test, const struct fault *fault, uint64_t *seed,
+		     struct accel_device **device)
+{
+	int64_t before = fake_usb_leapt_ns();
+	int err;
+
+	if (fault->early)
+		fault_arm(fault);
+	err = open_device(test, device);
+	check_open_error(err);
+	if (!fault->early)
+		fault_arm(fault);
+	if (!err)
+		err = work(test, *device, seed, fault_tampers(fault));
+	check_result(fault, err, fake_usb_leapt_ns() - before);
+	count_result(&test->count[fault->kind], err);
+	return err;
+}
+
+/* A dead host can not close its board; what is left of it here does so later. */
+static void case_next(struct test *test, const struct fault *fault, uint64_t *seed,
+		      struct accel_device *device)
+{
+	if (fault->kind == FAKE_USB_KILL)
+		fake_usb_kill();
+	else
+		accel_device_free(device);
+	if (!fake_usb.board[0].present)
+		fake_usb_plug(0, below(seed, 2));
+	check_next(test, seed);
+	if (fault->kind == FAKE_USB_KILL)
+		accel_device_free(device);
 }
 
 static void run_case(struct test *test)
@@ -275,38 +343,14 @@ static void run_case(struct test *test)
 	struct accel_device *device;
 	int err;
 
-	snprintf(test->text, sizeof(test->text), "case %llu (%s at %llu, value %u, error %d%s; "
-		 "GLOSS_SEED=%llu test_usb_faults -g %llu -n 1 repeats it)",
-		 (unsigned long long)test->number, fault_name(fault.kind),
-		 (unsigned long long)fault.at, fault.value, fault.error,
-		 fault.early ? ", early" : "", (unsigned long long)test->seed,
-		 (unsigned long long)test->number);
-	usb_trial_context(test->text);
+	case_name(test, &fault);
 	alarm(HANG_SECONDS);
 	plug_in(&seed);
-	if (fault.early)
-		fault_arm(&fault);
-	err = open_device(test, &device);
-	check_open_error(err);
-	if (!fault.early)
-		fault_arm(&fault);
-	if (device)
-		err = work(test, device, &seed, fault_tampers(&fault));
-	check_result(&fault, err);
-	count_result(&test->count[fault.kind], err);
+	err = case_work(test, &fault, &seed, &device);
 	fake_usb_disarm();
 	if (device && !fault_ends_host(&fault) && err != -ENODEV)
 		recover(test, device, &seed);
-	/* A dead host can not close its board; what is left of it here may do so later. */
-	if (fault.kind == FAKE_USB_KILL)
-		fake_usb_kill();
-	else
-		accel_device_free(device);
-	if (!fake_usb.board[0].present)
-		fake_usb_plug(0, below(&seed, 2));
-	check_next(test, &seed);
-	if (fault.kind == FAKE_USB_KILL)
-		accel_device_free(device);
+	case_next(test, &fault, &seed, device);
 	if (test->depth_out < fake_usb.depth_out)
 		test->depth_out = fake_usb.depth_out;
 	if (test->depth_in < fake_usb.depth_in)

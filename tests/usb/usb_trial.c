@@ -326,8 +326,9 @@ static int copy_emit(struct copy *copy)
 	int err = 0;
 
 	for (uint32_t block = 0; block < copy->blocks && !err; block++) {
-		const struct gloss_write_memory write = { .slot = 0, .offset = 4 * COPY_BLOCK * block };
-		const struct gloss_read_memory read = { .slot = 0, .offset = 4 * COPY_BLOCK * block,
+		const uint32_t offset = 4 * COPY_BLOCK * block;
+		const struct gloss_write_memory write = { .slot = 0, .offset = offset };
+		const struct gloss_read_memory read = { .slot = 0, .offset = offset,
 							.count = COPY_BLOCK };
 
 		gloss_write_memory_pack(words, &write, 2 + COPY_BLOCK);
