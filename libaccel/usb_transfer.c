@@ -158,7 +158,7 @@ static bool in_take(struct accel_usb_link *link, const struct libusb_transfer *t
 	const uint32_t *words = (const uint32_t *)(const void *)transfer->buffer;
 	size_t count = (size_t)transfer->actual_length / sizeof(*words);
 
-	if (link->synchronised && (size_t)transfer->actual_length % sizeof(*words))
+	if ((size_t)transfer->actual_length % sizeof(*words))
 		return in_message(link, ACCEL_USB_GARBLED);
 	if (count)
 		link->moves++;
