@@ -2,10 +2,10 @@
 /* A USB board's end of its cable: the usbredir protocol, in which QEMU's usb-redir is the guest. */
 #include <errno.h>
 #include <poll.h>
-#include <stdio.h>
 #include <string.h>
 #include <sys/socket.h>
 
+#include "options.h"
 #include "vboard_usb.h"
 
 /* Bytes that are received before the board works again. */
@@ -25,7 +25,7 @@ static void door_log(void *data, int level, const char *message)
 	const struct vboard_usb *usb = data;
 
 	if (level <= usbredirparser_error)
-		fprintf(stderr, "vboard-usb: %s: %s\n", usb->name, message);
+		vboard_error(usb->name, message);
 }
 
 /* What is there of @count bytes; 0: nothing now. -1: the host is gone, or as ->end says. */

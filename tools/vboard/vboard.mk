@@ -47,7 +47,16 @@ $(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) -lcmocka $(ACCEL_LIBS) -o $@
 
-UNIT_TESTS += $(VBOARD_TESTS)
+VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_bridge
+
+$(VBOARD_USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c \
+		$(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+		$(filter-out %.h,$^) -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS) -o $@
+
+UNIT_TESTS += $(VBOARD_TESTS) $(VBOARD_USB_TESTS)
 
 .PHONY: vboard vboard-sanitize install-vboard
 vboard: $(BUILD)/vboard-pci ## vboard-pci's messages and exit codes
@@ -55,9 +64,10 @@ vboard: $(BUILD)/vboard-pci ## vboard-pci's messages and exit codes
 
 vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
-		$(VBOARD_TESTS:%=run-%)
+		$(VBOARD_TESTS:%=run-%) $(VBOARD_USB_TESTS:%=run-%)
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
-		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door run-test_vboard_qtest
+		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door run-test_vboard_qtest \
+		run-test_vboard_usb
 
 CHECKS += vboard vboard-sanitize
 
