@@ -73,7 +73,8 @@ enum fake_usb_fault {
 	FAKE_USB_HANG_OUT,		/* no word is taken any more, likewise */
 	FAKE_USB_REFUSE_CONTROL,	/* the at-th request and the @value after it are stalled */
 	FAKE_USB_HANG_CONTROL,		/* those are not answered */
-	FAKE_USB_RESET_LASTS,		/* CONTROL.reset then reads 1 @value times */
+	FAKE_USB_RESET_LASTS,		/* CONTROL.reset reads 1 @value times, until when it
+					 * has not been done, and writes are lost */
 	FAKE_USB_DELAY,			/* each end comes @value us later, from now on */
 	FAKE_USB_FAULTS
 };

@@ -139,19 +139,21 @@ static void register_write(struct fake_bridge *bridge, uint32_t offset, uint32_t
 		if (fake_bridge_fault(bridge, FAKE_USB_RESET_LASTS))
 			bridge->resets_last = bridge->value[FAKE_USB_RESET_LASTS];
 	}
-	bridge->ops->write(bridge->board, offset, value);
+	if (!bridge->resets_last || offset == GLOSS_REG_CONTROL)
+		bridge->ops->write(bridge->board, offset, value);
 }
 
 static uint32_t register_read(struct fake_bridge *bridge, uint32_t offset)
 {
 	uint32_t value = bridge->ops->read(bridge->board, offset);
 
-	if (offset == GLOSS_REG_CONTROL && bridge->resets_last) {
-		bridge->resets_last--;
-		fake.hurry = true;
-		value |= GLOSS_REG_CONTROL_RESET;
-	}
-	return value;
+	if (offset != GLOSS_REG_CONTROL || !bridge->resets_last)
+		return value;
+	fake.hurry = true;
+	/* When it ends, what was sent meanwhile is gone. */
+	if (!--bridge->resets_last)
+		bridge->ops->write(bridge->board, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
+	return value | GLOSS_REG_CONTROL_RESET;
 }
 
 static enum libusb_transfer_status control_run(struct fake_bridge *bridge,

@@ -149,10 +149,11 @@ static bool fault_tampers(const struct fault *fault)
 static bool fault_harmless(const struct fault *fault)
 {
 	return fault->kind == FAKE_USB_SHORT_IN || fault->kind == FAKE_USB_EMPTY_IN ||
-	       (fault->kind == FAKE_USB_DELAY && fault->value < 500000);
+	       (fault->kind == FAKE_USB_DELAY && fault->value < 500000) ||
+	       (fault->kind == FAKE_USB_RESET_LASTS && fault->value < 500);
 }
 
-/* A transfer ends with it, so that nobody has to wait until nothing has moved for long. */
+/* The host is told, so that it need not wait until nothing has moved for long. */
 static bool fault_is_told(const struct fault *fault)
 {
 	switch (fault->kind) {
@@ -164,6 +165,8 @@ static bool fault_is_told(const struct fault *fault)
 	case FAKE_USB_ERROR_IN:
 	case FAKE_USB_OVERFLOW_IN:
 		return true;
+	case FAKE_USB_RESET_LASTS:
+		return fault_harmless(fault);
 	case FAKE_USB_ODD_IN:
 		/* In search of the sync, words are dropped, as are those that are none. */
 		return !fault->early;
