@@ -5,6 +5,7 @@
  * is left behind; afterwards the same device works again, or says that it is gone, and the next
  * one that is opened works at once: also when the host before it died in the middle of a job.
  */
+#include <dlfcn.h>
 #include <errno.h>
 #include <getopt.h>
 #include <pthread.h>
@@ -39,6 +40,7 @@ struct count {
 
 struct test {
 	const char *name;		/* of the device */
+	const struct gloss_usb_board_ops *rtl;	/* NULL: the model of the board */
 	uint64_t seed, number;
 	struct accel_device *model[2];	/* with tiles of 32 and 64 pixels */
 	struct count count[CALL + 1];
@@ -219,14 +221,17 @@ static int work(struct test *test, struct accel_device *device, uint64_t *seed, 
 	return err ? err : second.err;
 }
 
-static void plug_in(uint64_t *seed)
+static void plug_in(const struct test *test, uint64_t *seed)
 {
 	struct fake_usb_board *board = &fake_usb.board[0];
 	bool small = below(seed, 4) == 0, fast = below(seed, 2);
 
 	fake_usb_start(next(seed));
 	fake_usb_unplug(0);
-	board->ops = small ? &gloss_usb_board_model_t32 : &gloss_usb_board_model_t64;
+	if (test->rtl)
+		board->ops = test->rtl;
+	else if (small)
+		board->ops = &gloss_usb_board_model_t32;
 	board->speed = fast ? LIBUSB_SPEED_SUPER : LIBUSB_SPEED_HIGH;
 	board->endpoint[0].packet_bytes = board->endpoint[1].packet_bytes = fast ? 1024 : 512;
 	fake_usb_plug(0, true);
@@ -348,7 +353,7 @@ static void run_case(struct test *test)
 
 	case_name(test, &fault);
 	alarm(HANG_SECONDS);
-	plug_in(&seed);
+	plug_in(test, &seed);
 	err = case_work(test, &fault, &seed, &device);
 	fake_usb_disarm();
 	if (device && !fault_ends_host(&fault) && err != -ENODEV)
@@ -370,6 +375,19 @@ static void say_hang(int signal)
 	(void)signal;
 	if (write(2, test.text, strlen(test.text)) >= 0 && write(2, ": it hangs\n", 11) >= 0)
 		abort();
+}
+
+static const struct gloss_usb_board_ops *load_board(const char *path)
+{
+	void *plugin = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+	const struct gloss_usb_board_ops *ops;
+
+	if (!plugin)
+		usb_trial_fail("%s", dlerror());
+	ops = dlsym(plugin, GLOSS_USB_BOARD_SYMBOL);
+	if (!ops || ops->abi != GLOSS_USB_BOARD_ABI || ops->version != GLOSS_VERSION)
+		usb_trial_fail("%s is no plugin of this tree", path);
+	return ops;
 }
 
 static int report(const struct test *t)
@@ -401,13 +419,15 @@ int main(int argc, char **argv)
 	int option;
 
 	test.seed = seed && *seed ? strtoull(seed, NULL, 0) : (uint64_t)time(NULL);
-	while ((option = getopt(argc, argv, "n:g:d:")) >= 0) {
+	while ((option = getopt(argc, argv, "n:g:d:b:")) >= 0) {
 		if (option == 'n')
 			cases = strtoull(optarg, NULL, 0);
 		else if (option == 'g')
 			first = strtoull(optarg, NULL, 0);
 		else if (option == 'd')
 			test.name = optarg;
+		else if (option == 'b')
+			test.rtl = load_board(optarg);
 		else
 			return 2;
 	}

@@ -46,6 +46,15 @@ VALGRIND_TESTS += $(USB_VALGRIND_TESTS)
 unit-thread unit-valgrind: export USB_FAULTS ?= $(USB_FAULTS_SAMPLE)
 unit-valgrind: $(USB_VALGRIND_TESTS:%=$(BUILD)/tests/unit/%)
 
+# And a few on the Verilated board.
+USB_FAULTS_RTL ?= 25
+USB_FAULTS_BOARD := $(BUILD)/sim/accel-usb-t64-k8.so
+.PHONY: usb-faults-rtl
+usb-faults-rtl: $(BUILD)/tests/unit/test_usb_faults $(USB_FAULTS_BOARD) ## faults of a USB cable, on the RTL
+	$(Q)$< -n $(USB_FAULTS_RTL) -b $(USB_FAULTS_BOARD)
+
+CHECKS += usb-faults-rtl
+
 include tests/fuzz/fuzz_usb.mk
 endif
 
