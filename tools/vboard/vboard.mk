@@ -59,8 +59,8 @@ $(VBOARD_USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%
 UNIT_TESTS += $(VBOARD_TESTS) $(VBOARD_USB_TESTS)
 
 .PHONY: vboard vboard-sanitize install-vboard
-vboard: $(BUILD)/vboard-pci ## vboard-pci's messages and exit codes
-	$(Q)tests/vboard/run $<
+vboard: $(BUILD)/vboard-pci $(BUILD)/vboard-usb ## messages and exit codes of vboard-pci and vboard-usb
+	$(Q)tests/vboard/run $^
 
 vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
@@ -71,11 +71,13 @@ vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 
 CHECKS += vboard vboard-sanitize
 
-install-vboard: $(BUILD)/vboard-pci
-	$(call quiet,INSTALL,vboard-pci)
-	$(Q)install -D -m 755 $(BUILD)/vboard-pci $(DESTDIR)$(PREFIX)/bin/vboard-pci
-	$(Q)install -D -m 644 tools/vboard/vboard-pci.1 \
-		$(DESTDIR)$(PREFIX)/share/man/man1/vboard-pci.1
+install-vboard: $(BUILD)/vboard-pci $(BUILD)/vboard-usb
+	$(call quiet,INSTALL,vboard-pci vboard-usb)
+	$(Q)for program in vboard-pci vboard-usb; do \
+		install -D -m 755 $(BUILD)/$$program $(DESTDIR)$(PREFIX)/bin/$$program && \
+		install -D -m 644 tools/vboard/$$program.1 \
+			$(DESTDIR)$(PREFIX)/share/man/man1/$$program.1 || exit 1; \
+	done
 
 INSTALLS += install-vboard
 
