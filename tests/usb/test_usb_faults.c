@@ -294,6 +294,8 @@ static void check_result(const struct fault *fault, int err, int64_t waited_ns)
 		usb_trial_fail("it took %lld ms to be noticed", (long long)waited_ns / 1000000);
 	if (err && !fake_usb_fired())
 		usb_trial_fail("%s, and there was no fault yet", strerror(-err));
+	if (err && err != -ENODEV && fault_ends_host(fault))
+		usb_trial_fail("%s, and the board was gone", strerror(-err));
 	if (err && fault_harmless(fault))
 		usb_trial_fail("%s, and there was nothing wrong", strerror(-err));
 }
