@@ -149,9 +149,9 @@ static uint32_t register_read(struct fake_bridge *bridge, uint32_t offset)
 
 	if (offset != GLOSS_REG_CONTROL || !bridge->resets_last)
 		return value;
-	fake.hurry = true;
 	/* When it ends, what was sent meanwhile is gone. */
-	if (!--bridge->resets_last)
+	fake.hurry = --bridge->resets_last;
+	if (!bridge->resets_last)
 		bridge->ops->write(bridge->board, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
 	return value | GLOSS_REG_CONTROL_RESET;
 }
