@@ -153,11 +153,17 @@ static uint32_t in_dropped(uint32_t *words, uint32_t count)
 	return 0;
 }
 
+static uint32_t take_half(void)
+{
+	uint32_t half = take();
+
+	return half | (uint32_t)take() << 8;
+}
+
 static uint32_t in_chunk(uint32_t *words)
 {
-	uint32_t count = take();
+	uint32_t count = take_half();
 
-	count |= (uint32_t)take() << 8;
 	gloss_usb_response_pack(words, &(struct gloss_usb_response){
 		.count = count, .mark = GLOSS_USB_RESPONSE_MAGIC });
 	hostile.made_up = count;
@@ -166,9 +172,13 @@ static uint32_t in_chunk(uint32_t *words)
 
 static uint32_t in_completion(uint32_t *words)
 {
-	gloss_usb_completion_pack(words, &(struct gloss_usb_completion){
-		.cause = take() % 16u, .mark = GLOSS_USB_COMPLETION_MAGIC, .sequence = take(),
-		.offset = take(), .response_words = take() });
+	struct gloss_usb_completion completion = { .mark = GLOSS_USB_COMPLETION_MAGIC };
+
+	completion.cause = take() % 16u;
+	completion.sequence = take();
+	completion.offset = take_half();
+	completion.response_words = take_half();
+	gloss_usb_completion_pack(words, &completion);
 	return GLOSS_USB_COMPLETION_WORDS;
 }
 

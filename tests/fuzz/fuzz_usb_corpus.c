@@ -71,6 +71,37 @@ static void put_pieces(struct input *input, uint64_t *seed)
 	}
 }
 
+static void put_half(struct input *input, uint32_t half)
+{
+	input->byte[input->count++] = (uint8_t)half;
+	input->byte[input->count++] = (uint8_t)(half >> 8);
+}
+
+/* Answers as the board might make them, to jobs that it has not looked at. */
+static void put_answers(struct input *input, uint64_t *seed)
+{
+	input->head.response = (uint8_t)below(seed, 40);
+	input->byte[input->count++] = 0xe0;
+	for (uint32_t job = 1; job <= 8; job++) {
+		uint32_t answered = 0;
+
+		while (below(seed, 3)) {
+			uint32_t count = below(seed, 4) ? 1 + below(seed, 300) : 256;
+
+			input->byte[input->count++] = 0xc0;
+			put_half(input, count);
+			answered += count;
+		}
+		input->byte[input->count++] = 0xd0;
+		input->byte[input->count++] = (uint8_t)(below(seed, 3) ? 1 : 0);
+		input->byte[input->count++] = (uint8_t)(below(seed, 8) ? job : below(seed, 256));
+		put_half(input, below(seed, 100));
+		put_half(input, below(seed, 8) ? answered : below(seed, 1000));
+		if (below(seed, 2))
+			input->byte[input->count++] = 0xf0;
+	}
+}
+
 static int write_input(const struct input *input, const char *path)
 {
 	FILE *file = fopen(path, "wb");
@@ -98,7 +129,9 @@ int main(int argc, char **argv)
 		struct input input = { .count = 0 };
 
 		put_head(&input, &seed);
-		if (left % 4)
+		if (left % 4 == 1)
+			put_answers(&input, &seed);
+		else if (left % 4)
 			put_pieces(&input, &seed);
 		snprintf(path, sizeof(path), "%s/%d", argv[1], left);
 		if (write_input(&input, path)) {

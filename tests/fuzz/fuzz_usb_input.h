@@ -8,7 +8,7 @@
  *   a0 to af   the next honest word, xor the word that follows
  *   b0 to bf   honest words are dropped, 1 to 16
  *   c0 to cf   a chunk of a response, its count in two bytes, its words made up
- *   d0 to df   a completion: cause, sequence, offset and response words in four bytes
+ *   d0 to df   a completion: cause and sequence in a byte each, offset and response words in two
  *   e0 to ef   the usb_sync that the host waits for
  *   f0 to ff   the burst ends
  *
