@@ -5,12 +5,11 @@
 
 #include "usb_link.h"
 
-/* In flight at once. OUT has no memory of its own, so it may be deeper, for small jobs, and longer:
- * each transfer has its price. */
+/* In flight at once. OUT has no memory of its own, so it may be deeper, for small jobs. Transfers
+ * are long, for each has its price. */
 #define USB_OUT_TRANSFERS 8
-#define USB_OUT_BYTES (256u << 10)
 #define USB_IN_TRANSFERS 4
-#define USB_IN_BYTES (64u << 10)
+#define USB_TRANSFER_BYTES (256u << 10)
 
 enum usb_link_state {
 	USB_LINK_STARTING,		/* the sync is on its way */

@@ -52,8 +52,8 @@ void accel_usb_transfers_send(struct accel_usb_link *link)
 		struct accel_usb_job *job = link->sending;
 		size_t count = job->bytes - job->started;
 
-		if (count > USB_OUT_BYTES)
-			count = USB_OUT_BYTES;
+		if (count > USB_TRANSFER_BYTES)
+			count = USB_TRANSFER_BYTES;
 		if (!out_submit(out, job, (uint8_t *)job->message->word + job->started, count))
 			return;
 		job->started += count;
@@ -261,8 +261,8 @@ static bool transfers_init_all(struct accel_usb_link *link)
 
 		if (!transfer_init(in, link, GLOSS_USB_ENDPOINT_IN, in_ended))
 			return false;
-		in->transfer->buffer = (unsigned char *)link->in_words + i * USB_IN_BYTES;
-		in->transfer->length = USB_IN_BYTES;
+		in->transfer->buffer = (unsigned char *)link->in_words + i * USB_TRANSFER_BYTES;
+		in->transfer->length = USB_TRANSFER_BYTES;
 	}
 	if (!transfer_init(&link->event, link, GLOSS_USB_ENDPOINT_EVENT, event_ended))
 		return false;
@@ -274,7 +274,7 @@ static bool transfers_init_all(struct accel_usb_link *link)
 
 int accel_usb_transfers_init(struct accel_usb_link *link)
 {
-	link->in_words = malloc((size_t)USB_IN_TRANSFERS * USB_IN_BYTES);
+	link->in_words = malloc((size_t)USB_IN_TRANSFERS * USB_TRANSFER_BYTES);
 	return link->in_words && transfers_init_all(link) ? 0 : -ENOMEM;
 }
 
