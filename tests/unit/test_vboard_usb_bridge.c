@@ -91,7 +91,7 @@ static const struct gloss_usb_board_ops ops = {
 /* ---- the host ---- */
 
 static void take_ended(void *user, const struct vboard_usb_transfer *transfer,
-		       enum vboard_usb_status status, const void *data, uint32_t bytes)
+		       enum vboard_usb_status status, void *data, uint32_t bytes)
 {
 	struct ended *one = &ended[ended_count++];
 

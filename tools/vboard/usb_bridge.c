@@ -44,7 +44,7 @@ bool vboard_usb_bridge_submit(struct vboard_usb_bridge *bridge, uint64_t id, uin
 }
 
 static void bridge_end(struct vboard_usb_bridge *bridge, struct vboard_usb_transfer *transfer,
-		       enum vboard_usb_status status, const void *data, uint32_t bytes)
+		       enum vboard_usb_status status, void *data, uint32_t bytes)
 {
 	bridge->ended(bridge->user, transfer, status, data, bytes);
 	vboard_usb_queue_remove(bridge_queue(bridge, transfer->endpoint), transfer);

@@ -39,7 +39,7 @@ struct vboard_usb_bridge {
 	uint32_t packet_bytes;
 	/* A transfer has ended; @data is what an IN transfer got. */
 	void (*ended)(void *user, const struct vboard_usb_transfer *transfer,
-		      enum vboard_usb_status status, const void *data, uint32_t bytes);
+		      enum vboard_usb_status status, void *data, uint32_t bytes);
 	void *user;
 
 	struct vboard_usb_queue out, in;

@@ -208,9 +208,10 @@ void vboard_usb_faults_window_write(struct vboard_usb_faults *faults, uint32_t o
 {
 	uint32_t *armed = faults_register(&faults->armed, offset);
 
-	if (armed)
-		*armed = value;
-	if (offset == VBOARD_USB_FAULT_HANG && faults->hung) {
+	if (!armed)
+		return;
+	*armed = value;
+	if (armed == &faults->armed.hang && faults->hung) {
 		faults->hung = false;
 		faults->jobs++;
 	}

@@ -82,7 +82,7 @@ static void usb_get_setting(void *data, uint64_t id, struct usb_redir_get_alt_se
 /* ---- bulk endpoints ---- */
 
 static void usb_answer_bulk(struct vboard_usb *usb, uint64_t id, uint8_t endpoint, uint8_t status,
-			    const void *bytes, uint32_t count)
+			    uint8_t *bytes, uint32_t count)
 {
 	struct usb_redir_bulk_packet_header head = {
 		.endpoint = endpoint,
@@ -92,26 +92,25 @@ static void usb_answer_bulk(struct vboard_usb *usb, uint64_t id, uint8_t endpoin
 	};
 	bool in = endpoint & 0x80;
 
-	/* The parser takes what it does not change without const. */
-	usbredirparser_send_bulk_packet(usb->parser, id, &head, in ? (uint8_t *)(uintptr_t)bytes : NULL,
+	usbredirparser_send_bulk_packet(usb->parser, id, &head, in ? bytes : NULL,
 					in ? (int)count : 0);
 }
 
-void vboard_usb_ended(void *data, const struct vboard_usb_transfer *transfer,
-		      enum vboard_usb_status status, const void *bytes, uint32_t count)
+void vboard_usb_ended(void *user, const struct vboard_usb_transfer *transfer,
+		      enum vboard_usb_status status, void *data, uint32_t bytes)
 {
 	static const uint8_t says[] = {
 		[VBOARD_USB_DONE] = usb_redir_success,
 		[VBOARD_USB_STALLED] = usb_redir_stall,
 		[VBOARD_USB_CANCELLED] = usb_redir_cancelled,
 	};
-	struct vboard_usb *usb = data;
+	struct vboard_usb *usb = user;
 
 	if (transfer->endpoint & 0x80)
-		usb->in_bytes += count;
+		usb->in_bytes += bytes;
 	else
-		usb->out_bytes += count;
-	usb_answer_bulk(usb, transfer->id, transfer->endpoint, says[status], bytes, count);
+		usb->out_bytes += bytes;
+	usb_answer_bulk(usb, transfer->id, transfer->endpoint, says[status], data, bytes);
 }
 
 /* A transfer of the port. False: there is no room for it. */

@@ -60,7 +60,7 @@ bool vboard_usb_set_interface(struct vboard_usb *usb, uint8_t interface, uint8_t
 void vboard_usb_take_transfers(struct usbredirparser *parser);
 /* The bridge's ->ended, whose user is the vboard_usb. */
 void vboard_usb_ended(void *user, const struct vboard_usb_transfer *transfer,
-		      enum vboard_usb_status status, const void *data, uint32_t bytes);
+		      enum vboard_usb_status status, void *data, uint32_t bytes);
 /* Ends the first transfer of the plain source; false: there is none. */
 bool vboard_usb_pour(struct vboard_usb *usb);
 /* Sends the events there are, if the host takes them. */
