@@ -307,7 +307,8 @@ static void plug_in(void)
 		enum fake_usb_fault fault = head->fault[n][0] % FAKE_USB_FAULTS;
 
 		if (fault)
-			fake_usb_arm(0, fault, head->fault[n][1], head->fault[n][2]);
+			fake_usb_arm(0, fault, head->fault[n][1],
+				     16u * head->fault[n][2] * head->fault[n][2]);
 	}
 	fake_usb_fail(NULL, head->call, -1 - head->error % 12);
 	fake_usb_plug(0, false);

@@ -38,7 +38,7 @@ struct fuzz_usb_head {
 	uint8_t interfaces, endpoints;
 	uint8_t endpoint[3][2];		/* address and attributes */
 	uint8_t texts;			/* bits 1:0: serial number, 3:2: product */
-	uint8_t fault[FUZZ_USB_FAULTS][3];	/* kind, at, value */
+	uint8_t fault[FUZZ_USB_FAULTS][3];	/* kind, at, root of a 16th of the value */
 	uint8_t call, error;		/* this call fails; 0: none */
 };
 

@@ -22,6 +22,7 @@
 #define HANG_SECONDS 120		/* outside; what takes long here takes a tenth of one */
 #define RETRIES 3
 #define TOLD_NS 1500000000ll
+#define ENDS_NS 100000000000ll		/* of the library's time: it may try again and again */
 #define DEPTH 4				/* transfers in flight, at least */
 #define CALL FAKE_USB_FAULTS		/* not the cable: a call answers an error */
 
@@ -290,6 +291,8 @@ static void check_next(struct test *test, uint64_t *seed)
 
 static void check_result(const struct fault *fault, int err, int64_t waited_ns)
 {
+	if (waited_ns > ENDS_NS && fault->kind != FAKE_USB_DELAY)
+		usb_trial_fail("it took %lld s to end", (long long)waited_ns / 1000000000);
 	if (waited_ns > TOLD_NS && fault_is_told(fault))
 		usb_trial_fail("it took %lld ms to be noticed", (long long)waited_ns / 1000000);
 	if (err && !fake_usb_fired())
