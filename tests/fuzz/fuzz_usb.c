@@ -393,6 +393,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	if (!accel_transport_usb.open("", &state, &error)) {
 		accel_transport_usb.info(state, &info);
 		check(memchr(info.name, 0, sizeof(info.name)) != NULL);
+		/* Those after a failure, too. */
+		run_jobs(state);
 		run_jobs(state);
 		accel_transport_usb.close(state);
 	}

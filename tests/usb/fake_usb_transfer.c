@@ -112,9 +112,21 @@ void libusb_free_transfer(struct libusb_transfer *public)
 
 /* ---- submitting and cancelling ---- */
 
+/* What is not in the configuration is not to be spoken to. */
+static bool has_endpoint(const struct libusb_transfer *public)
+{
+	const struct fake_usb_board *board = fake_device_board(public->dev_handle->device);
+
+	for (unsigned int n = 0; n < board->endpoints; n++)
+		if (board->endpoint[n].address == public->endpoint &&
+		    (board->endpoint[n].attributes & LIBUSB_TRANSFER_TYPE_MASK) == public->type)
+			return true;
+	return false;
+}
+
 static enum fake_queue transfer_queue(const struct libusb_transfer *public, const char *function)
 {
-	const bool bulk = public->type == LIBUSB_TRANSFER_TYPE_BULK;
+	const bool bulk = public->type == LIBUSB_TRANSFER_TYPE_BULK && has_endpoint(public);
 
 	if (public->type == LIBUSB_TRANSFER_TYPE_CONTROL)
 		return FAKE_CONTROL;
@@ -122,7 +134,7 @@ static enum fake_queue transfer_queue(const struct libusb_transfer *public, cons
 		return FAKE_OUT;
 	if (bulk && public->endpoint == GLOSS_USB_ENDPOINT_IN)
 		return FAKE_IN;
-	if (public->type == LIBUSB_TRANSFER_TYPE_INTERRUPT &&
+	if (public->type == LIBUSB_TRANSFER_TYPE_INTERRUPT && has_endpoint(public) &&
 	    public->endpoint == GLOSS_USB_ENDPOINT_EVENT)
 		return FAKE_EVENT;
 	fake_violation("%s: no endpoint %02x of type %u", function, public->endpoint, public->type);
