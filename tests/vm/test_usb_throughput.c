@@ -9,8 +9,8 @@
 #include "vm_test.h"
 
 enum {
-	ROUNDS = 11,
-	JOBS = 16,			/* of a round, all submitted before one is waited for */
+	ROUNDS = 15,
+	JOBS = 8,			/* of a round, all submitted before one is waited for */
 	JOB_BYTES = 4 << 20,		/* of board memory that a job writes or reads */
 	WRITE_WORDS = GLOSS_LENGTH_MAX - 2,
 	READ_WORDS = 32768,

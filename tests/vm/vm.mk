@@ -44,18 +44,18 @@ $(BUILD)/tests/vm/list: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' $(VM_TESTS) | cmp -s - $@ || printf '%s\n' $(VM_TESTS) >$@
 
-.PHONY: vm-programs check-vm check-kasan bench-drm FORCE
+.PHONY: vm-programs check-vm check-kasan bench-vm FORCE
 vm-programs: $(VM_PROGRAMS) $(VM_NEEDS) $(BUILD)/tests/vm/runner $(BUILD)/tests/vm/list \
 	$(BUILD)/vboard-pci $(BUILD)/vboard-usb $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN) ## what runs in the virtual machine, and its boards
 
 check-vm: vm-programs $(MODULE) ## the driver on virtual boards, in a virtual machine
 	$(Q)tests/vm/run --build $(BUILD)
 
-bench-drm: vm-programs $(MODULE) ## time of an empty job through the driver
+bench-vm: vm-programs $(MODULE) ## time of an empty job through the driver, streams and answers over USB
 	$(Q)tests/vm/run --build $(BUILD) $(VM_BENCHES)
 
 CHECKS  += check-vm
-BENCHES += bench-drm
+BENCHES += bench-vm
 
 # The same on a kernel that checks everything; with its own module, made for that kernel.
 KASAN_DRIVER := $(BUILD)/driver-kasan
