@@ -50,8 +50,9 @@ static void put_head(struct input *input, uint64_t *seed)
 		head->error = (uint8_t)below(seed, 12);
 		break;
 	case 4:
-		for (int n = 0; n < 3; n++)
-			head->fault[0][n] = (uint8_t)(1 + below(seed, 60));
+		head->fault[0][0] = (uint8_t)(1 + below(seed, 30));
+		head->fault[0][1] = (uint8_t)(1 + below(seed, below(seed, 2) ? 2 : 60));
+		head->fault[0][2] = (uint8_t)below(seed, 256);
 		break;
 	default:
 		break;
