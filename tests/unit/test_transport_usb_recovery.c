@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* A board on USB that fails: what its jobs are told, that the next one is right, and when the
  * library gives up. */
+#include <poll.h>
+#include <sched.h>
+
 #include "usb_test.h"
 
 #define NS_PER_MS 1000000ll
@@ -13,6 +16,7 @@ static struct {
 	unsigned int reads;		/* of it; with @step the board does nothing before so many */
 	unsigned int reads_to_work;
 	unsigned int completions;	/* that are yet to come before one is a fault */
+	uint32_t forged[4];		/* words to come before all others, if there are any */
 } odd;
 
 static uint32_t odd_read(struct gloss_usb_board *board, uint32_t offset)
@@ -41,8 +45,14 @@ static uint32_t odd_out(struct gloss_usb_board *board, const uint32_t *words, ui
 
 static uint32_t odd_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
 {
-	uint32_t count = gloss_usb_board_model_t64.in(board, words, room, flush);
+	uint32_t count;
 
+	if (odd.forged[0] && room >= 4) {
+		memcpy(words, odd.forged, sizeof(odd.forged));
+		odd.forged[0] = 0;
+		return 4;
+	}
+	count = gloss_usb_board_model_t64.in(board, words, room, flush);
 	for (uint32_t i = 0; i < count; i++)
 		if (words[i] == GLOSS_USB_COMPLETION_MAGIC << 16 && odd.completions &&
 		    !--odd.completions)
@@ -72,27 +82,31 @@ static int odd_setup(void **state)
 
 /* ---- what all can do ---- */
 
-static uint64_t object_with_words(void *state)
+static void write_words(void *state, uint64_t object)
 {
-	uint32_t stream[3 + WORDS];
-	uint64_t object;
-	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_WRITE };
-	const struct accel_transport_job job = { .stream = stream, .slot = &slot, .slots = 1 };
-	struct accel_transport_job part = job;
+	const struct accel_transport_slot slot = { object, GLOSS_RIGHTS_WRITE };
+	uint32_t stream[3 + 1000];
+	const struct accel_transport_job job = { .stream = stream, .stream_words = 3 + 1000,
+						 .slot = &slot, .slots = 1 };
 	struct gloss_status status;
 
-	assert_int_equal(ops->memory_new(state, 4 * WORDS, &object), 0);
-	slot.object = object;
 	for (uint32_t at = 0; at < WORDS; at += 1000) {
 		const struct gloss_write_memory write = { .slot = 0, .offset = 4 * at };
 
 		gloss_write_memory_pack(stream, &write, 2 + 1000);
 		for (uint32_t i = 0; i < 1000; i++)
 			stream[3 + i] = at + i + 1;
-		part.stream_words = 3 + 1000;
-		run(state, &part, &status);
+		run(state, &job, &status);
 		assert_int_equal(status.cause, GLOSS_FAULT_NONE);
 	}
+}
+
+static uint64_t object_with_words(void *state)
+{
+	uint64_t object;
+
+	assert_int_equal(ops->memory_new(state, 4 * WORDS, &object), 0);
+	write_words(state, object);
 	return object;
 }
 
@@ -208,12 +222,45 @@ static void a_board_that_stands_still_is_given_two_seconds(void **state)
 	assert_in_range(took, 1900 * NS_PER_MS, 3500 * NS_PER_MS);
 }
 
-/* It says so itself, so it needs not be waited for. */
-static void a_board_that_is_lost_is_given_no_time(void **state)
+/* Nothing comes of its transfers, so the thread, which sleeps, is to be woken. */
+static void a_board_that_stands_still_after_a_long_rest_is_given_no_more(void **state)
 {
 	struct gloss_status status;
 	int64_t before = fake_usb_now_ns();
 
+	fake_usb_leap(true);
+	while (fake_usb_now_ns() - before < 5000 * NS_PER_MS)
+		sched_yield();
+	fake_usb_leap(false);
+	fake_usb_arm(0, FAKE_USB_HANG_OUT, 1, 0);
+	before = fake_usb_now_ns();
+	assert_int_equal(wait_for(*state, submit_empty(*state), &status), -EIO);
+	assert_in_range(fake_usb_now_ns() - before, 1900 * NS_PER_MS, 3500 * NS_PER_MS);
+}
+
+/* They do not end with a reset either. */
+static void transfers_without_a_word_are_no_progress(void **state)
+{
+	struct gloss_status status;
+	int64_t before = fake_usb_now_ns();
+
+	fake_usb_leap(true);
+	fake_usb_arm(0, FAKE_USB_EMPTY_IN, 1, UINT32_MAX);
+	assert_int_equal(wait_for(*state, submit_empty(*state), &status), -ENODEV);
+	assert_in_range(fake_usb_now_ns() - before, 1900 * NS_PER_MS, 15000 * NS_PER_MS);
+	fake_usb_disarm();
+}
+
+/* It says so itself, so it needs not be waited for; whatever events there were before. */
+static void a_board_that_is_lost_is_given_no_time(void **state)
+{
+	static const uint32_t stream[] = { 0xff000000 };
+	const struct accel_transport_job job = { .stream = stream, .stream_words = 1 };
+	struct gloss_status status;
+	int64_t before = fake_usb_now_ns();
+
+	for (int i = 0; i < 10; i++)
+		run(*state, &job, &status);
 	fake_usb_arm(0, FAKE_USB_GARBAGE_OUT, 1, 0);
 	assert_int_equal(wait_for(*state, submit_empty(*state), &status), -EIO);
 	assert_in_range(fake_usb_now_ns() - before, 0, 1000 * NS_PER_MS);
@@ -264,14 +311,78 @@ static void memory_whose_clearing_was_lost_is_cleared_again(void **state)
 	for (int i = 0; i < 5; i++) {
 		assert_int_equal(ops->memory_new(*state, 4 * WORDS, &object), 0);
 		for (int n = 0; n <= i; n++) {
-			fake_usb_arm(0, n % 2 ? FAKE_USB_HANG_IN : FAKE_USB_ERROR_OUT, 1, 0);
+			fake_usb_arm(0, n % 2 ? FAKE_USB_LOSE_OUT : FAKE_USB_ERROR_OUT, 1, 0);
 			assert_int_equal(read_words(*state, object, words, WORDS), -EIO);
 		}
 		assert_int_equal(read_words(*state, object, words, WORDS), 0);
 		for (uint32_t n = 0; n < WORDS; n++)
 			assert_int_equal(words[n], 0);
+		write_words(*state, object);
 		ops->memory_free(*state, object);
 	}
+}
+
+struct submitter {
+	pthread_t thread;
+	void *state;
+	uint64_t object;
+	uint32_t words[WORDS];
+	_Atomic bool started;
+	int err;
+};
+
+static void *read_in_thread(void *data)
+{
+	struct submitter *submitter = data;
+	const struct accel_transport_slot slot = { submitter->object, GLOSS_RIGHTS_READ };
+	uint32_t stream[3];
+	const struct accel_transport_job job = {
+		.stream = stream, .stream_words = (uint32_t)packet_read(stream, 0, 0, WORDS),
+		.response = submitter->words, .response_words = WORDS, .slot = &slot, .slots = 1,
+	};
+	struct gloss_status status;
+	uint64_t sequence;
+
+	submitter->started = true;
+	submitter->err = ops->submit(submitter->state, &job, &sequence);
+	if (!submitter->err)
+		submitter->err = wait_for(submitter->state, sequence, &status);
+	return NULL;
+}
+
+/* The clearing is lost while the job that needs it waits for its turn to be queued. */
+static void memory_is_cleared_for_a_job_that_was_not_yet_queued(void **state)
+{
+	const uint32_t words = 2u << 20;
+	uint32_t *stream = calloc(words, 4);
+	struct submitter submitter = { .state = *state };
+	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ };
+	struct accel_transport_job job = { .stream = stream, .stream_words = words / 4,
+					   .slot = &slot };
+	struct gloss_status status;
+	uint64_t sequence[2];
+
+	assert_int_equal(ops->memory_new(*state, 4 * WORDS, &submitter.object), 0);
+	slot.object = submitter.object;
+	fake_usb_hold();
+	sequence[0] = submit(*state, &job);	/* keeps the cable busy */
+	job.slots = 1;
+	job.stream_words = words;
+	sequence[1] = submit(*state, &job);
+	assert_int_equal(pthread_create(&submitter.thread, NULL, read_in_thread, &submitter), 0);
+	while (!submitter.started)
+		sched_yield();
+	poll(NULL, 0, 100);
+	fake_usb_arm(0, FAKE_USB_ERROR_OUT, 1, 0);
+	fake_usb_release();
+	pthread_join(submitter.thread, NULL);
+	for (int i = 0; i < 2; i++)
+		assert_int_equal(wait_for(*state, sequence[i], &status), -EIO);
+	assert_int_equal(submitter.err, 0);
+	for (uint32_t n = 0; n < WORDS; n++)
+		assert_int_equal(submitter.words[n], 0);
+	ops->memory_free(*state, submitter.object);
+	free(stream);
 }
 
 /* What was cleared is not cleared again, whatever comes. */
@@ -301,6 +412,28 @@ static void memory_that_can_not_be_cleared_is_not_used(void **state)
 	for (uint32_t n = 0; n < WORDS; n++)
 		assert_int_equal(words[n], 0);
 	ops->memory_free(*state, object);
+}
+
+/* ---- a board that answers what it was not asked ---- */
+
+static void a_job_can_not_end_before_it_is_sent(void **state)
+{
+	const uint32_t words = 2u << 20;
+	uint32_t *stream = calloc(words, 4);
+	const struct accel_transport_job job = { .stream = stream, .stream_words = words };
+	struct gloss_status status;
+	uint64_t sequence;
+
+	fake_usb_hold();
+	sequence = submit(*state, &job);
+	odd.forged[1] = (uint32_t)sequence;
+	odd.forged[2] = words;
+	odd.forged[0] = GLOSS_USB_COMPLETION_MAGIC << 16;
+	fake_usb_release();
+	assert_int_equal(wait_for(*state, sequence, &status), -EIO);
+	run(*state, &job, &status);
+	assert_int_equal(status.offset, words);
+	free(stream);
 }
 
 /* ---- failures that do not pass ---- */
@@ -434,12 +567,16 @@ int main(void)
 		usb_test(every_job_that_is_outstanding_fails_and_is_forgotten),
 		usb_test(every_thread_that_waits_is_told),
 		usb_test(a_board_that_stands_still_is_given_two_seconds),
+		usb_test(a_board_that_stands_still_after_a_long_rest_is_given_no_more),
+		usb_test(transfers_without_a_word_are_no_progress),
 		usb_test(a_board_that_is_lost_is_given_no_time),
 		odd_test(a_board_that_makes_progress_is_waited_for),
 		odd_test(a_board_that_makes_too_much_progress_is_not),
 		usb_test(memory_whose_clearing_was_lost_is_cleared_again),
+		usb_test(memory_is_cleared_for_a_job_that_was_not_yet_queued),
 		usb_test(memory_keeps_its_words_over_a_failure),
 		odd_test(memory_that_can_not_be_cleared_is_not_used),
+		odd_test(a_job_can_not_end_before_it_is_sent),
 		usb_test(an_unplugged_board_ends_every_wait_and_call),
 		usb_test(an_unplugged_board_is_noticed_without_a_job),
 		usb_test(a_board_that_does_not_start_again_is_gone),
