@@ -11,7 +11,7 @@
 #define NS_PER_US 1000ll
 #define NS_PER_MS 1000000ll
 #define NS_PER_S 1000000000ll
-#define ROUND_NS NS_PER_MS		/* where time leaps always, a flood does not last either */
+#define ROUND_NS NS_PER_MS		/* where time leaps always, a flood has an end, too */
 
 static struct fake_transfer transfers[FAKE_TRANSFERS];
 static unsigned int last_made;

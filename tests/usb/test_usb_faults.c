@@ -22,7 +22,7 @@
 #define HANG_SECONDS 120		/* outside; what takes long here takes a tenth of one */
 #define RETRIES 3
 #define TOLD_NS 1500000000ll
-#define ENDS_NS 100000000000ll		/* of the library's time: it may try again and again */
+#define ENDS_NS 100000000000ll		/* of the library's time: it may try again */
 #define DEPTH 4				/* transfers in flight, at least */
 #define CALL FAKE_USB_FAULTS		/* not the cable: a call answers an error */
 
@@ -32,6 +32,12 @@ struct fault {
 	uint32_t value;
 	int error;
 	bool early;			/* armed before the board is opened */
+};
+
+/* Those of a case. */
+struct faults {
+	struct fault fault[2];
+	int count;
 };
 
 /* What became of the cases of one kind of fault. */
@@ -46,7 +52,7 @@ struct test {
 	struct accel_device *model[2];	/* with tiles of 32 and 64 pixels */
 	struct count count[CALL + 1];
 	unsigned int depth_out, depth_in;	/* most transfers in flight */
-	char text[256];
+	char text[512];
 };
 
 static uint64_t next(uint64_t *seed)
@@ -183,6 +189,52 @@ static bool fault_ends_host(const struct fault *fault)
 	return fault->kind == FAKE_USB_UNPLUG || fault->kind == FAKE_USB_KILL;
 }
 
+static bool fault_kills(const struct fault *fault)
+{
+	return fault->kind == FAKE_USB_KILL;
+}
+
+static bool fault_delays(const struct fault *fault)
+{
+	return fault->kind == FAKE_USB_DELAY;
+}
+
+/* Mostly one; a second one may come while the library gets over the first. */
+static struct faults faults_choose(uint64_t *seed)
+{
+	struct faults faults = { .fault[0] = fault_choose(seed), .count = 1 };
+
+	if (below(seed, 5) == 0)
+		faults.fault[faults.count++] = fault_choose(seed);
+	return faults;
+}
+
+static int faults_count(const struct faults *faults, bool (*is)(const struct fault *fault))
+{
+	int count = 0;
+
+	for (int n = 0; n < faults->count; n++)
+		count += is(&faults->fault[n]);
+	return count;
+}
+
+static bool faults_any(const struct faults *faults, bool (*is)(const struct fault *fault))
+{
+	return faults_count(faults, is);
+}
+
+static bool faults_all(const struct faults *faults, bool (*is)(const struct fault *fault))
+{
+	return faults_count(faults, is) == faults->count;
+}
+
+static void faults_arm(const struct faults *faults, bool early)
+{
+	for (int n = 0; n < faults->count; n++)
+		if (faults->fault[n].early == early)
+			fault_arm(&faults->fault[n]);
+}
+
 /* ---- a case ---- */
 
 struct second {
@@ -289,81 +341,88 @@ static void check_next(struct test *test, uint64_t *seed)
 	accel_device_free(device);
 }
 
-static void check_result(const struct fault *fault, int err, int64_t waited_ns)
+static void check_result(const struct faults *faults, int err, int64_t waited_ns)
 {
-	if (waited_ns > ENDS_NS && fault->kind != FAKE_USB_DELAY)
+	if (waited_ns > ENDS_NS && !faults_any(faults, fault_delays))
 		usb_trial_fail("it took %lld s to end", (long long)waited_ns / 1000000000);
-	if (waited_ns > TOLD_NS && fault_is_told(fault))
+	if (waited_ns > TOLD_NS && faults_all(faults, fault_is_told))
 		usb_trial_fail("it took %lld ms to be noticed", (long long)waited_ns / 1000000);
 	if (err && !fake_usb_fired())
 		usb_trial_fail("%s, and there was no fault yet", strerror(-err));
-	if (err && err != -ENODEV && fault_ends_host(fault))
+	if (err && err != -ENODEV && faults_all(faults, fault_ends_host))
 		usb_trial_fail("%s, and the board was gone", strerror(-err));
-	if (err && fault_harmless(fault))
+	if (err && faults_all(faults, fault_harmless))
 		usb_trial_fail("%s, and there was nothing wrong", strerror(-err));
 }
 
-static void case_name(struct test *test, const struct fault *fault)
+static void case_name(struct test *test, const struct faults *faults)
 {
-	snprintf(test->text, sizeof(test->text), "case %llu (%s at %llu, value %u, error %d%s; "
+	size_t room = sizeof(test->text), length;
+
+	length = (size_t)snprintf(test->text, room, "case %llu (",
+				  (unsigned long long)test->number);
+	for (int n = 0; n < faults->count; n++) {
+		const struct fault *fault = &faults->fault[n];
+
+		length += (size_t)snprintf(test->text + length, room - length,
+					   "%s at %llu, value %u, error %d%s; ",
+					   fault_name(fault->kind), (unsigned long long)fault->at,
+					   fault->value, fault->error,
+					   fault->early ? ", early" : "");
+	}
+	snprintf(test->text + length, room - length,
 		 "GLOSS_SEED=%llu test_usb_faults -g %llu -n 1 repeats it)",
-		 (unsigned long long)test->number, fault_name(fault->kind),
-		 (unsigned long long)fault->at, fault->value, fault->error,
-		 fault->early ? ", early" : "", (unsigned long long)test->seed,
-		 (unsigned long long)test->number);
+		 (unsigned long long)test->seed, (unsigned long long)test->number);
 	usb_trial_context(test->text);
 }
 
 /* Returns what became of it; the device may be NULL then. */
-static int case_work(struct test *test, const struct fault *fault, uint64_t *seed,
+static int case_work(struct test *test, const struct faults *faults, uint64_t *seed,
 		     struct accel_device **device)
 {
 	int64_t before = fake_usb_leapt_ns();
 	int err;
 
-	if (fault->early)
-		fault_arm(fault);
+	faults_arm(faults, true);
 	err = open_device(test, device);
 	check_open_error(err);
-	if (!fault->early)
-		fault_arm(fault);
+	faults_arm(faults, false);
 	if (!err)
-		err = work(test, *device, seed, fault_tampers(fault));
-	check_result(fault, err, fake_usb_leapt_ns() - before);
-	count_result(&test->count[fault->kind], err);
+		err = work(test, *device, seed, faults_any(faults, fault_tampers));
+	check_result(faults, err, fake_usb_leapt_ns() - before);
+	count_result(&test->count[faults->fault[0].kind], err);
 	return err;
 }
 
 /* A dead host can not close its board; what is left of it here does so later. */
-static void case_next(struct test *test, const struct fault *fault, uint64_t *seed,
-		      struct accel_device *device)
+static void case_next(struct test *test, bool dead, uint64_t *seed, struct accel_device *device)
 {
-	if (fault->kind == FAKE_USB_KILL)
+	if (dead)
 		fake_usb_kill();
 	else
 		accel_device_free(device);
 	if (!fake_usb.board[0].present)
 		fake_usb_plug(0, below(seed, 2));
 	check_next(test, seed);
-	if (fault->kind == FAKE_USB_KILL)
+	if (dead)
 		accel_device_free(device);
 }
 
 static void run_case(struct test *test)
 {
 	uint64_t seed = test->seed * 0x9e3779b97f4a7c15 + test->number * 0xd1342543de82ef95;
-	struct fault fault = fault_choose(&seed);
+	struct faults faults = faults_choose(&seed);
 	struct accel_device *device;
 	int err;
 
-	case_name(test, &fault);
+	case_name(test, &faults);
 	alarm(HANG_SECONDS);
 	plug_in(test, &seed);
-	err = case_work(test, &fault, &seed, &device);
+	err = case_work(test, &faults, &seed, &device);
 	fake_usb_disarm();
-	if (device && !fault_ends_host(&fault) && err != -ENODEV)
+	if (device && !faults_any(&faults, fault_ends_host) && err != -ENODEV)
 		recover(test, device, &seed);
-	case_next(test, &fault, &seed, device);
+	case_next(test, faults_any(&faults, fault_kills), &seed, device);
 	if (test->depth_out < fake_usb.depth_out)
 		test->depth_out = fake_usb.depth_out;
 	if (test->depth_in < fake_usb.depth_in)
