@@ -94,8 +94,10 @@ static void parse_arguments(struct options *options, int argc, char **argv)
 	opterr = 0;
 	while ((option = getopt_long(argc, argv, ":d:ljhV", table, NULL)) != -1)
 		parse_option(options, option, argv);
-	if (optind < argc)
-		bad_usage("one word too many", argv[optind]);
+	if (optind < argc) {
+		complain("one word too many", argv[optind], "a board is named by --device NAME");
+		exit(EXIT_USAGE);
+	}
 	if (options->list && options->device)
 		bad_usage("not together", "--list and --device");
 }
