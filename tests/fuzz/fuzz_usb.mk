@@ -1,20 +1,28 @@
 # SPDX-License-Identifier: MIT
 # Hostile boards on USB: the whole of "usb:" on the libusb of tests/usb, and its parser alone.
 
-FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
-	$(addprefix tools/vboard/,port_base.c board_engine.c port_usb.c board_usb_model.c) \
-	$(USB_SOURCES:%=libaccel/%) libaccel/range.c
+# What is to be looked into, and what makes up its world, which the fuzzer need not see.
+FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/range.c
+FUZZ_USB_WORLD := $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
+	$(addprefix tools/vboard/,port_base.c board_engine.c port_usb.c board_usb_model.c)
+FUZZ_USB_WORLD_OBJS := $(FUZZ_USB_WORLD:%.c=$(BUILD)/fuzz/world/%.o)
 FUZZ_USB_MESSAGE_SOURCES := tests/fuzz/fuzz_usb_message.c libaccel/usb_message.c
 FUZZ_USB_HEADERS := $(wildcard tests/fuzz/*.h tests/usb/*.h tools/vboard/*.h libaccel/*.h \
 	libaccel/model/*.h)
 FUZZ_USB_PROGRAMS := $(addprefix $(BUILD)/fuzz/, \
 	fuzz_usb fuzz_usb_corpus fuzz_usb_message fuzz_usb_message_corpus)
 
-$(BUILD)/fuzz/fuzz_usb: $(FUZZ_USB_SOURCES) $(FUZZ_USB_HEADERS)
+$(FUZZ_USB_WORLD_OBJS): $(BUILD)/fuzz/world/%.o: %.c $(FUZZ_USB_HEADERS)
+	$(call quiet,CC,$@)
+	@mkdir -p $(@D)
+	$(Q)$(FUZZ_CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) \
+		$(subst -fsanitize=fuzzer$(comma),-fsanitize=,$(FUZZ_CFLAGS)) -pthread -c $< -o $@
+
+$(BUILD)/fuzz/fuzz_usb: $(FUZZ_USB_SOURCES) $(FUZZ_USB_WORLD_OBJS) $(FUZZ_USB_HEADERS)
 	$(call quiet,CC,$@)
 	@mkdir -p $(@D)
 	$(Q)$(FUZZ_CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(FUZZ_CFLAGS) -pthread \
-		$(FUZZ_USB_SOURCES) $(FAKE_USB_LDFLAGS) -o $@
+		$(FUZZ_USB_SOURCES) $(FUZZ_USB_WORLD_OBJS) $(FAKE_USB_LDFLAGS) -o $@
 
 $(BUILD)/fuzz/fuzz_usb_message: $(FUZZ_USB_MESSAGE_SOURCES) $(FUZZ_USB_HEADERS)
 	$(call quiet,CC,$@)
