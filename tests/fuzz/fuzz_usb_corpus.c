@@ -24,6 +24,20 @@ static uint32_t below(uint64_t *seed, uint32_t limit)
 	return (uint32_t)((z ^ z >> 31) % limit);
 }
 
+/* Some registers are as they are, then one is not. */
+static void put_register(struct input *input, uint64_t *seed)
+{
+	static const uint32_t values[] = { 0, 1, 0x80, 0x840, 0xffffffff };
+	uint32_t value = values[below(seed, 5)];
+
+	input->head.flags |= FUZZ_USB_REGISTERS;
+	for (uint32_t left = below(seed, 10); left; left--)
+		input->byte[input->count++] = 0;
+	input->byte[input->count++] = 0xe0;
+	for (int n = 0; n < 4; n++)
+		input->byte[input->count++] = (uint8_t)(value >> 8 * n);
+}
+
 /* Most are honest in all but one thing, so that many boards open. */
 static void put_head(struct input *input, uint64_t *seed)
 {
@@ -40,7 +54,7 @@ static void put_head(struct input *input, uint64_t *seed)
 		head->endpoint[below(seed, 3)][0] = (uint8_t)below(seed, 256);
 		break;
 	case 1:
-		head->flags |= FUZZ_USB_REGISTERS;
+		put_register(input, seed);
 		break;
 	case 2:
 		head->texts = (uint8_t)below(seed, 16);

@@ -4,6 +4,7 @@
  * What is under way then ends in a clean error or in the right bytes, nothing hangs, and nothing
  * is left behind; afterwards the same device works again, or says that it is gone, and the next
  * one that is opened works at once: also when the host before it died in the middle of a job.
+ * A case follows from the seed and its number, but for which thread comes first.
  */
 #include <dlfcn.h>
 #include <errno.h>
