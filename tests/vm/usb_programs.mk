@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The library and the programs on USB boards, as the ordinary user meets them.
 
-VM_TESTS += user:test_usb_bunny:120 user:test_usb_programs root:test_usb_messages:120 root:test_usb_rule \
-	user:test_usb_stream user:test_usb_throughput:180
+VM_TESTS += user:test_usb_bunny:120 user:test_usb_programs root:test_usb_messages:120 \
+	root:test_usb_rule user:test_usb_stream:120 user:test_usb_throughput:180
 VM_BENCHES += test_usb_throughput
 VM_NEEDS += $(BUILD)/gloss-info
 
