@@ -11,12 +11,13 @@
 
 /* ---- a board between whose words and registers a test puts others ---- */
 
+/* Set while the board is looked at by the thread of the link. */
 static struct {
-	uint32_t progress, step;	/* of PROGRESS, at each read */
-	unsigned int reads;		/* of it; with @step the board does nothing before so many */
-	unsigned int reads_to_work;
-	unsigned int completions;	/* that are yet to come before one is a fault */
-	uint32_t forged[4];		/* words to come before all others, if there are any */
+	_Atomic uint32_t progress, step;	/* of PROGRESS, at each read */
+	_Atomic unsigned int reads;	/* of it; before so many the board takes nothing */
+	_Atomic unsigned int reads_to_work;
+	_Atomic unsigned int completions;	/* yet to come before one is a fault */
+	_Atomic uint32_t forged[4];	/* words to come before all others, if there are any */
 } odd;
 
 static uint32_t odd_read(struct gloss_usb_board *board, uint32_t offset)
@@ -48,8 +49,10 @@ static uint32_t odd_in(struct gloss_usb_board *board, uint32_t *words, uint32_t 
 	uint32_t count;
 
 	if (odd.forged[0] && room >= 4) {
-		memcpy(words, odd.forged, sizeof(odd.forged));
+		for (int i = 0; i < 4; i++)
+			words[i] = odd.forged[i];
 		odd.forged[0] = 0;
+		*flush = false;
 		return 4;
 	}
 	count = gloss_usb_board_model_t64.in(board, words, room, flush);
@@ -65,7 +68,7 @@ static int odd_setup(void **state)
 	static struct gloss_usb_board_ops board;
 	struct accel_transport_error error = { "" };
 
-	memset(&odd, 0, sizeof(odd));
+	odd.step = odd.reads = odd.reads_to_work = odd.completions = odd.forged[0] = 0;
 	board = gloss_usb_board_model_t64;
 	board.read = odd_read;
 	board.write = odd_write;
