@@ -197,19 +197,21 @@ static void assert_string(uint8_t index, const char *text)
 /* Walks a configuration: each descriptor has its length, and they fill the whole. */
 static void assert_configuration(const struct test_answer *answer, unsigned int companions)
 {
-	unsigned int interfaces = 0, endpoints = 0, found = 0;
+	unsigned int interfaces = 0, endpoints = 0, said = 0, found = 0;
 	uint32_t at;
 
 	assert_int_equal(answer->data[2] | answer->data[3] << 8, answer->length);
 	for (at = 0; at < answer->length; at += answer->data[at]) {
 		assert_in_range(answer->data[at], 6, 9);
 		interfaces += answer->data[at + 1] == 4;
+		said += answer->data[at + 1] == 4 ? answer->data[at + 4] : 0;
 		endpoints += answer->data[at + 1] == 5;
 		found += answer->data[at + 1] == 0x30;
 	}
 	assert_int_equal(at, answer->length);
 	assert_int_equal(interfaces, 2);
 	assert_int_equal(endpoints, 5);
+	assert_int_equal(said, 5);
 	assert_int_equal(found, companions);
 }
 
@@ -490,6 +492,30 @@ static void a_cable_can_be_pulled_at_once_and_for_ever(void **state)
 	assert_int_equal(peer.connects, 1);
 }
 
+/* What it sends before it knows that the board is gone reaches nobody. */
+static void a_host_has_to_notice_before_the_cable_is_back(void **state)
+{
+	const uint32_t unplug = VBOARD_USB_FAULT_UNPLUG_NOW, nonce = 1;
+	uint64_t sink, control;
+
+	(void)state;
+	put(GLOSS_REG_NONCE, NONCE);
+	arm(VBOARD_USB_FAULT_REPLUG, 1);
+	peer.reads = false;
+	peer_submit_control(&peer, 0x41, 2, VBOARD_USB_FAULT_UNPLUG, 1, 4, &unplug);
+	for (int n = 0; n < 30; n++)
+		assert_true(peer_move(&peer, 1));
+	sink = peer_submit(&peer, 0x03, "word", 4);
+	control = peer_submit_control(&peer, 0x41, 2, GLOSS_REG_NONCE, 0, 4, &nonce);
+	for (int n = 0; n < 30; n++)
+		assert_true(peer_move(&peer, 1));
+	peer.reads = true;
+	peer_until(&peer, peer.connects == 2);
+	assert_int_equal(get(GLOSS_REG_NONCE), NONCE);
+	assert_false(peer.answer[sink].there);
+	assert_false(peer.answer[control].there);
+}
+
 static void a_reset_of_the_bus_is_none_of_the_board(void **state)
 {
 	uint64_t id;
@@ -552,6 +578,7 @@ static void the_plain_endpoints_take_and_give(void **state)
 static void a_host_that_does_not_read_gets_all_of_it_later(void **state)
 {
 	enum { TRANSFERS = 64, BYTES = 1 << 20 };
+	static uint8_t bytes[8 << 20];
 
 	(void)state;
 	peer.reads = false;
@@ -559,9 +586,14 @@ static void a_host_that_does_not_read_gets_all_of_it_later(void **state)
 		peer_submit(&peer, 0x83, NULL, BYTES);
 	for (int n = 0; n < 50; n++)
 		assert_true(peer_move(&peer, 1));
+	peer_submit(&peer, 0x03, bytes, sizeof(bytes));
+	for (int n = 0; n < 50; n++)
+		assert_true(peer_move(&peer, 1));
+	assert_true(usbredirparser_has_data_to_write(peer.parser));
 	peer.reads = true;
 	for (uint64_t id = 1; id <= TRANSFERS; id++)
 		assert_int_equal(peer_wait(&peer, id)->length, BYTES);
+	assert_int_equal(peer_wait(&peer, TRANSFERS + 1)->length, sizeof(bytes));
 }
 
 static void transfers_of_other_endpoints_are_refused(void **state)
@@ -569,6 +601,9 @@ static void transfers_of_other_endpoints_are_refused(void **state)
 	struct usb_redir_start_iso_stream_header iso = { .endpoint = 0x84 };
 	struct usb_redir_alloc_bulk_streams_header streams = { .endpoints = 2, .no_streams = 4 };
 	struct usb_redir_start_interrupt_receiving_header listen = { .endpoint = 0x85 };
+	struct usb_redir_iso_packet_header iso_out = { .endpoint = 0x04, .length = 4 };
+	struct usb_redir_interrupt_packet_header interrupt_out = { .endpoint = 0x05, .length = 4 };
+	uint8_t word[4] = { 0 };
 
 	(void)state;
 	assert_int_equal(peer_transfer(&peer, 0x04, "word", 4)->status, usb_redir_inval);
@@ -577,6 +612,8 @@ static void transfers_of_other_endpoints_are_refused(void **state)
 			 usb_redir_inval);
 	usbredirparser_send_start_iso_stream(peer.parser, 1, &iso);
 	usbredirparser_send_alloc_bulk_streams(peer.parser, 2, &streams);
+	usbredirparser_send_iso_packet(peer.parser, 4, &iso_out, word, sizeof(word));
+	usbredirparser_send_interrupt_packet(peer.parser, 5, &interrupt_out, word, sizeof(word));
 	peer.interrupt_status = -1;
 	usbredirparser_send_start_interrupt_receiving(peer.parser, 3, &listen);
 	peer_until(&peer, peer.interrupt_status == usb_redir_inval);
@@ -695,6 +732,7 @@ int main(void)
 		usb_test(what_hangs_is_reset),
 		usb_test(a_pulled_cable_ends_everything_without_an_answer),
 		usb_test(a_cable_can_be_pulled_at_once_and_for_ever),
+		usb_test(a_host_has_to_notice_before_the_cable_is_back),
 		usb_test(a_reset_of_the_bus_is_none_of_the_board),
 		cmocka_unit_test(the_program_ends_when_it_is_told_to),
 		cmocka_unit_test(faults_are_armed_from_the_start),

@@ -117,6 +117,7 @@ static int setup(void **state)
 		.ended = take_ended,
 	};
 	vboard_usb_bridge_init(&bridge);
+	memset(ended, 0, sizeof(ended));
 	ended_count = 0;
 	expected = 0;
 	next_id = 1;
@@ -345,6 +346,31 @@ static void a_stall_halts_until_it_is_cleared(void **state)
 	assert_null(vboard_usb_bridge_halted(&bridge, GLOSS_USB_ENDPOINT_EVENT));
 }
 
+static void a_host_that_begins_anew_finds_no_halt(void **state)
+{
+	(void)state;
+	arm(VBOARD_USB_FAULT_STALL_OUT, 1);
+	arm(VBOARD_USB_FAULT_STALL_IN, 1);
+	expect(out_words(0, 1, true), VBOARD_USB_STALLED, 0);
+	vboard_usb_bridge_drop(&bridge);
+	expect(out_words(0, 1, true), VBOARD_USB_DONE, 4);
+	expect(in(PACKET), VBOARD_USB_STALLED, 0);
+	vboard_usb_bridge_drop(&bridge);
+	expect(out_words(1, 1, true), VBOARD_USB_DONE, 4);
+	assert_false(bridge.in_halted);
+}
+
+static void a_transfer_that_waits_counts_once(void **state)
+{
+	(void)state;
+	board.room = 10;
+	arm(VBOARD_USB_FAULT_LOSE_OUT, 3);
+	out_words(0, 20, false);
+	for (int n = 0; n < 5; n++)
+		expect_nothing();
+	assert_int_equal(vboard_usb_faults_window_read(&faults, VBOARD_USB_FAULT_LOSE_OUT), 2);
+}
+
 static void what_is_disarmed_does_not_happen_to_those_that_wait(void **state)
 {
 	uint64_t id;
@@ -443,7 +469,22 @@ static void a_hang_that_is_disarmed_ends(void **state)
 	expect_nothing();
 	arm(VBOARD_USB_FAULT_HANG, 0);
 	work();
+	assert_int_equal(ended_count, 2);
 	assert_int_equal(ended[1].bytes, 28);
+	assert_int_equal(vboard_usb_faults_window_read(&faults, VBOARD_USB_FAULT_JOBS), 1);
+}
+
+static void messages_begin_anew_after_a_reset(void **state)
+{
+	const uint32_t torn[] = { GLOSS_USB_RESPONSE_MAGIC << 16 | 200, 1, 2 };
+
+	(void)state;
+	expect(out(torn, sizeof(torn)), VBOARD_USB_DONE, sizeof(torn));
+	expect(in(sizeof(torn)), VBOARD_USB_DONE, sizeof(torn));
+	vboard_usb_bridge_write(&bridge, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
+	expect(out_answer(1), VBOARD_USB_DONE, 28);
+	expect(in(PACKET), VBOARD_USB_DONE, 28);
+	assert_int_equal(vboard_usb_faults_window_read(&faults, VBOARD_USB_FAULT_JOBS), 1);
 }
 
 static void a_delayed_completion_leaves_when_it_is_due(void **state)
@@ -561,6 +602,8 @@ int main(void)
 		bridge_test(a_host_may_use_a_number_twice),
 		bridge_test(there_are_limits),
 		bridge_test(a_stall_halts_until_it_is_cleared),
+		bridge_test(a_host_that_begins_anew_finds_no_halt),
+		bridge_test(a_transfer_that_waits_counts_once),
 		bridge_test(what_is_disarmed_does_not_happen_to_those_that_wait),
 		bridge_test(a_short_transfer_leaves_the_rest_to_the_next),
 		bridge_test(empty_transfers_come_before_words),
@@ -568,6 +611,7 @@ int main(void)
 		bridge_test(a_completion_that_hangs_stays_until_the_reset),
 		bridge_test(what_came_before_a_hang_is_there_after_the_reset),
 		bridge_test(a_hang_that_is_disarmed_ends),
+		bridge_test(messages_begin_anew_after_a_reset),
 		bridge_test(a_delayed_completion_leaves_when_it_is_due),
 		bridge_test(noise_is_sixteen_words),
 		bridge_test(noise_goes_on_in_the_next_transfer_but_not_after_a_reset),
