@@ -1,113 +1,136 @@
-/* SPDX-License-Identifier: MIT */
-/* The memory of messages to a board on USB: what is kept, and how much of it. */
-#include "accel_test.h"
+// SPDX-License-Identifier: MIT
+/* Memory for messages to a board on USB: what comes back is used again, and not too much of it. */
+#include <malloc.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
 #include "usb_pool.h"
 
-#define UNUSED_WORDS ((size_t)8 << 20)
-#define UNUSED_BUFFERS 64u
+#define KEPT_WORDS ((size_t)8 << 20)
+#define KEPT_BUFFERS 64
+
+static struct accel_usb_pool pool;
 
 static int setup(void **state)
 {
-	static struct accel_usb_pool pool;
-
+	(void)state;
 	accel_usb_pool_init(&pool);
-	*state = &pool;
 	return 0;
 }
 
 static int teardown(void **state)
 {
-	accel_usb_pool_fini(*state);
+	(void)state;
+	accel_usb_pool_fini(&pool);
 	return 0;
 }
 
-static struct accel_usb_buffer *get(struct accel_usb_pool *pool, size_t words)
+/* All of it can be written. */
+static struct accel_usb_buffer *get(size_t words)
 {
-	struct accel_usb_buffer *buffer = accel_usb_pool_get(pool, words);
+	struct accel_usb_buffer *buffer = accel_usb_pool_get(&pool, words);
 
 	assert_non_null(buffer);
 	assert_true(buffer->room >= words);
-	buffer->word[0] = buffer->word[words - 1] = 1;
+	assert_true(malloc_usable_size(buffer) >= sizeof(*buffer) + 4 * buffer->room);
+	buffer->word[0] = 1;
+	buffer->word[words - 1] = 2;
 	return buffer;
 }
 
-static void messages_of_about_the_same_size_share(void **state)
+static size_t kept(size_t *words)
 {
-	struct accel_usb_buffer *small = get(*state, 10), *large = get(*state, 3000);
+	size_t buffers = 0;
 
-	accel_usb_pool_put(*state, small);
-	accel_usb_pool_put(*state, large);
-	assert_ptr_equal(get(*state, 2500), large);
-	assert_ptr_equal(get(*state, 500), small);
-	accel_usb_pool_put(*state, small);
-	accel_usb_pool_put(*state, large);
-	accel_usb_pool_put(*state, NULL);
+	*words = 0;
+	for (const struct accel_usb_buffer *at = pool.unused; at; at = at->next) {
+		*words += at->room;
+		buffers++;
+	}
+	return buffers;
 }
 
-static void one_buffer_is_not_given_twice(void **state)
+static void what_comes_back_is_used_again(void **state)
 {
-	struct accel_usb_buffer *first = get(*state, 100), *second = get(*state, 100);
+	struct accel_usb_buffer *first = get(70000), *second = get(70000);
 
+	(void)state;
 	assert_ptr_not_equal(first, second);
-	accel_usb_pool_put(*state, first);
-	accel_usb_pool_put(*state, second);
+	accel_usb_pool_put(&pool, first);
+	accel_usb_pool_put(&pool, second);
+	assert_ptr_equal(get(66000), second);
+	assert_ptr_equal(get(131072), first);
+	accel_usb_pool_put(&pool, first);
+	accel_usb_pool_put(&pool, second);
 }
 
-static void check_kept(const struct accel_usb_pool *pool, unsigned int buffers)
+static void another_size_is_another_buffer(void **state)
 {
-	const struct accel_usb_buffer *buffer;
-	unsigned int count = 0;
-	size_t words = 0;
+	struct accel_usb_buffer *large = get(5000), *small;
 
-	for (buffer = pool->unused; buffer; buffer = buffer->next, count++)
-		words += buffer->room;
-	assert_int_equal(count, buffers);
-	assert_true(words <= UNUSED_WORDS);
+	(void)state;
+	accel_usb_pool_put(&pool, large);
+	small = get(1);
+	assert_ptr_not_equal(small, large);
+	accel_usb_pool_put(&pool, small);
+	assert_ptr_equal(get(5000), large);
+	accel_usb_pool_put(&pool, large);
 }
 
-static void keep(struct accel_usb_pool *pool, unsigned int count, size_t words)
+static void many_are_not_all_kept(void **state)
 {
-	struct accel_usb_buffer *buffer[UNUSED_BUFFERS + 10];
+	struct accel_usb_buffer *buffer[2 * KEPT_BUFFERS];
+	size_t words;
 
-	for (unsigned int n = 0; n < count; n++)
-		buffer[n] = get(pool, words);
-	for (unsigned int n = 0; n < count; n++)
-		accel_usb_pool_put(pool, buffer[n]);
+	(void)state;
+	for (int n = 0; n < 2 * KEPT_BUFFERS; n++)
+		buffer[n] = get(10);
+	for (int n = 0; n < 2 * KEPT_BUFFERS; n++)
+		accel_usb_pool_put(&pool, buffer[n]);
+	assert_int_equal(kept(&words), KEPT_BUFFERS);
+	assert_ptr_equal(pool.unused, buffer[2 * KEPT_BUFFERS - 1]);
 }
 
-static void what_is_kept_is_bounded(void **state)
+static void large_ones_are_not_all_kept(void **state)
 {
-	keep(*state, UNUSED_BUFFERS + 10, 1);
-	check_kept(*state, UNUSED_BUFFERS);
-	keep(*state, 5, UNUSED_WORDS / 4);
-	check_kept(*state, 4);
+	struct accel_usb_buffer *buffer[4], *huge = get(KEPT_WORDS + 1);
+	size_t words;
+
+	(void)state;
+	assert_int_equal(huge->room, KEPT_WORDS + 1);
+	accel_usb_pool_put(&pool, huge);
+	assert_int_equal(kept(&words), 0);
+	for (int n = 0; n < 4; n++)
+		buffer[n] = get(KEPT_WORDS / 2);
+	for (int n = 0; n < 4; n++)
+		accel_usb_pool_put(&pool, buffer[n]);
+	assert_int_equal(kept(&words), 2);
+	assert_int_equal(words, KEPT_WORDS);
 }
 
-static void what_is_too_large_to_be_kept_is_as_large_as_asked_for(void **state)
+static void more_than_there_can_be_is_out_of_memory(void **state)
 {
-	struct accel_usb_buffer *buffer = get(*state, UNUSED_WORDS + 1);
-
-	assert_int_equal(buffer->room, UNUSED_WORDS + 1);
-	accel_usb_pool_put(*state, buffer);
-	check_kept(*state, 0);
+	(void)state;
+	assert_null(accel_usb_pool_get(&pool, SIZE_MAX));
+	assert_null(accel_usb_pool_get(&pool, SIZE_MAX / 4));
+	accel_usb_pool_put(&pool, NULL);
 }
-
-static void what_no_memory_has_is_not_there(void **state)
-{
-	assert_null(accel_usb_pool_get(*state, SIZE_MAX / 4 - 1));
-	assert_null(accel_usb_pool_get(*state, SIZE_MAX));
-}
-
-#define pool_test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		pool_test(messages_of_about_the_same_size_share),
-		pool_test(one_buffer_is_not_given_twice),
-		pool_test(what_is_kept_is_bounded),
-		pool_test(what_is_too_large_to_be_kept_is_as_large_as_asked_for),
-		pool_test(what_no_memory_has_is_not_there),
+		cmocka_unit_test_setup_teardown(what_comes_back_is_used_again, setup, teardown),
+		cmocka_unit_test_setup_teardown(another_size_is_another_buffer, setup, teardown),
+		cmocka_unit_test_setup_teardown(many_are_not_all_kept, setup, teardown),
+		cmocka_unit_test_setup_teardown(large_ones_are_not_all_kept, setup, teardown),
+		cmocka_unit_test_setup_teardown(more_than_there_can_be_is_out_of_memory, setup,
+						teardown),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
