@@ -23,7 +23,7 @@ void device_reason_forget(void)
 	library_message[0] = '\0';
 }
 
-/* The library's reason follows 'device "drm:": ', which @name says already, as it does the colon. */
+/* The library's reason follows 'device "drm:": ', which @name says already, as the colon. */
 static void no_device(const char *program, const char *name, int error)
 {
 	const char *reason = strstr(library_message, "\": ");

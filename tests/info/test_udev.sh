@@ -14,8 +14,7 @@ fail() {
 
 # id NAME: four digits, as sysfs has them.
 id() {
-	value=$(sed -n "s/^#define GLOSS_USB_$1[[:space:]]*\(0x[0-9a-fA-F]*\|[0-9]*\)u*\([[:space:]].*\)*$/\1/p" \
-		driver/gloss_regs.h)
+	value=$(sed -n "s/^#define GLOSS_USB_$1 \([0-9a-fx]*\)u$/\1/p" driver/gloss_regs.h)
 	[ -n "$value" ] || fail "driver/gloss_regs.h has no GLOSS_USB_$1"
 	printf '%04x' "$((value))"
 }
