@@ -320,6 +320,23 @@ static void there_are_limits(void **state)
 	expect_nothing();
 }
 
+static void so_many_bytes_wait_and_no_more(void **state)
+{
+	uint32_t *big = calloc(1, VBOARD_USB_TRANSFER_MAX);
+	uint32_t *more = malloc(4);
+	uint64_t first = next_id;
+
+	(void)state;
+	assert_true(big && more);
+	board.room = 0;
+	for (uint32_t bytes = 0; bytes < VBOARD_USB_WAITING_MAX; bytes += VBOARD_USB_TRANSFER_MAX)
+		out(big, VBOARD_USB_TRANSFER_MAX);
+	assert_false(vboard_usb_bridge_submit(&bridge, 1, GLOSS_USB_ENDPOINT_OUT, more, 4));
+	vboard_usb_bridge_cancel(&bridge, first);
+	assert_true(vboard_usb_bridge_submit(&bridge, 1, GLOSS_USB_ENDPOINT_OUT, more, 4));
+	free(big);
+}
+
 /* ---- faults ---- */
 
 static void arm(uint32_t offset, uint32_t value)
@@ -601,6 +618,7 @@ int main(void)
 		bridge_test(a_cancelled_out_is_as_far_as_the_board_took_it),
 		bridge_test(a_host_may_use_a_number_twice),
 		bridge_test(there_are_limits),
+		bridge_test(so_many_bytes_wait_and_no_more),
 		bridge_test(a_stall_halts_until_it_is_cleared),
 		bridge_test(a_host_that_begins_anew_finds_no_halt),
 		bridge_test(a_transfer_that_waits_counts_once),

@@ -15,7 +15,7 @@
 /* Working without a look at the socket. */
 #define WORK_NS 200000
 
-/* What QEMU calls an endpoint in its tables. */
+/* Where an endpoint is in a table of them. */
 #define TABLE_INDEX(endpoint) (((endpoint) & 0x80) >> 3 | ((endpoint) & 0x0f))
 
 /* ---- bytes ---- */

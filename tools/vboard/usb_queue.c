@@ -11,9 +11,11 @@ void vboard_usb_queue_init(struct vboard_usb_queue *queue)
 bool vboard_usb_queue_add(struct vboard_usb_queue *queue,
 			  const struct vboard_usb_transfer *transfer)
 {
+	uint32_t out_bytes = transfer->data ? transfer->bytes : 0;
 	struct vboard_usb_transfer *copy;
 
-	if (queue->count == VBOARD_USB_TRANSFERS)
+	if (queue->count == VBOARD_USB_TRANSFERS ||
+	    out_bytes > VBOARD_USB_WAITING_MAX - queue->out_bytes)
 		return false;
 	copy = malloc(sizeof(*copy));
 	if (!copy)
@@ -23,6 +25,7 @@ bool vboard_usb_queue_add(struct vboard_usb_queue *queue,
 	*queue->end = copy;
 	queue->end = &copy->next;
 	queue->count++;
+	queue->out_bytes += out_bytes;
 	return true;
 }
 
@@ -45,6 +48,7 @@ void vboard_usb_queue_remove(struct vboard_usb_queue *queue, struct vboard_usb_t
 	if (!transfer->next)
 		queue->end = link;
 	queue->count--;
+	queue->out_bytes -= transfer->data ? transfer->bytes : 0;
 	free(transfer->data);
 	free(transfer);
 }

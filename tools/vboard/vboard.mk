@@ -12,6 +12,12 @@ VBOARD_USB_MAIN := $(BUILD)/tools/vboard/vboard-usb.o
 VBOARD_ALL := $(sort $(VBOARD_OBJECTS) $(VBOARD_USB_OBJECTS) $(VBOARD_MAIN) $(VBOARD_USB_MAIN))
 VBOARD_USB_LIBS := -lusbredirparser
 
+# Without usbredir's parser there are no USB boards to test with, and everything else.
+VBOARD_PROGRAMS := vboard-pci
+ifeq ($(shell pkg-config --exists libusbredirparser-0.5 2>/dev/null && echo yes),yes)
+VBOARD_PROGRAMS += vboard-usb
+endif
+
 # The model of the port and the board (BOARD_MODEL_OBJECTS), and the Verilated board.
 include $(wildcard tools/vboard/board.mk)
 
@@ -71,9 +77,9 @@ vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 
 CHECKS += vboard vboard-sanitize
 
-install-vboard: $(BUILD)/vboard-pci $(BUILD)/vboard-usb
-	$(call quiet,INSTALL,vboard-pci vboard-usb)
-	$(Q)for program in vboard-pci vboard-usb; do \
+install-vboard: $(VBOARD_PROGRAMS:%=$(BUILD)/%)
+	$(call quiet,INSTALL,$(VBOARD_PROGRAMS))
+	$(Q)for program in $(VBOARD_PROGRAMS); do \
 		install -D -m 755 $(BUILD)/$$program $(DESTDIR)$(PREFIX)/bin/$$program && \
 		install -D -m 644 tools/vboard/$$program.1 \
 			$(DESTDIR)$(PREFIX)/share/man/man1/$$program.1 || exit 1; \
@@ -82,4 +88,4 @@ install-vboard: $(BUILD)/vboard-pci $(BUILD)/vboard-usb
 INSTALLS += install-vboard
 
 LINT_C += -Idriver
-ALL += $(BUILD)/vboard-pci $(BUILD)/vboard-usb
+ALL += $(VBOARD_PROGRAMS:%=$(BUILD)/%)
