@@ -308,7 +308,7 @@ static void point_fault(void)
 /* Another program, which has the board until it is killed. */
 __attribute__((noreturn)) static void client(void)
 {
-	bool gone;
+	bool gone = false;
 
 	device_must_open();
 	if (write(STDOUT_FILENO, "", 1) != 1)
