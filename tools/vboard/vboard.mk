@@ -77,13 +77,16 @@ vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 
 CHECKS += vboard vboard-sanitize
 
-install-vboard: $(VBOARD_PROGRAMS:%=$(BUILD)/%)
+VBOARD_PLUGINS = $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN)
+
+install-vboard: $(VBOARD_PROGRAMS:%=$(BUILD)/%) $(VBOARD_PLUGINS)
 	$(call quiet,INSTALL,$(VBOARD_PROGRAMS))
 	$(Q)for program in $(VBOARD_PROGRAMS); do \
 		install -D -m 755 $(BUILD)/$$program $(DESTDIR)$(PREFIX)/bin/$$program && \
 		install -D -m 644 tools/vboard/$$program.1 \
 			$(DESTDIR)$(PREFIX)/share/man/man1/$$program.1 || exit 1; \
 	done
+	$(Q)install -D -m 755 -t $(DESTDIR)$(LIBDIR)/gloss $(VBOARD_PLUGINS)
 
 INSTALLS += install-vboard
 
