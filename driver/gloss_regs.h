@@ -200,7 +200,7 @@
 /* All bits of mark inverted. */
 #define GLOSS_USB_SYNC_MARK_COMPLEMENT_WORD 3
 
-/* A job on OUT; its slots and its stream follow. */
+/* A job on OUT; its slots, its stream and a usb_job_end follow. */
 #define GLOSS_USB_JOB_WORDS 4
 /* How many slot_entry follow, at most the constant slots. */
 #define GLOSS_USB_JOB_SLOTS_WORD 0
@@ -215,6 +215,10 @@
 /* Room for the response. */
 #define GLOSS_USB_JOB_RESPONSE_WORDS_WORD 3
 
+/* A job's last word on OUT. */
+#define GLOSS_USB_JOB_END_WORDS 1
+#define GLOSS_USB_JOB_END_CHECKSUM_WORD 0
+
 /* A chunk of a job's response on IN; its words follow. */
 #define GLOSS_USB_RESPONSE_WORDS 1
 /* Words, 1 to usb_chunk_words. */
@@ -225,7 +229,7 @@
 #define GLOSS_USB_RESPONSE_MARK 0xffff0000u
 
 /* How a job ended, on IN. */
-#define GLOSS_USB_COMPLETION_WORDS 4
+#define GLOSS_USB_COMPLETION_WORDS 5
 #define GLOSS_USB_COMPLETION_CAUSE_WORD 0
 #define GLOSS_USB_COMPLETION_CAUSE 0x0000000fu
 /* The constant usb_completion_magic. */
@@ -237,6 +241,7 @@
 #define GLOSS_USB_COMPLETION_OFFSET_WORD 2
 /* Words of the response that were answered. */
 #define GLOSS_USB_COMPLETION_RESPONSE_WORDS_WORD 3
+#define GLOSS_USB_COMPLETION_CHECKSUM_WORD 4
 
 /* What a driver may want to know before it comes to it on IN. */
 #define GLOSS_USB_EVENT_WORDS 2

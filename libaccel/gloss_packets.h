@@ -1255,7 +1255,7 @@ static inline void gloss_usb_sync_unpack(const uint32_t *words, struct gloss_usb
 
 #define GLOSS_USB_JOB_WORDS 4
 
-/* A job on OUT; its slots and its stream follow. */
+/* A job on OUT; its slots, its stream and a usb_job_end follow. */
 struct gloss_usb_job {
 	/* How many slot_entry follow, at most the constant slots. */
 	uint32_t slots;
@@ -1287,6 +1287,25 @@ static inline void gloss_usb_job_unpack(const uint32_t *words, struct gloss_usb_
 	p->response_words = words[3];
 }
 
+/* ---- usb_job_end ---- */
+
+#define GLOSS_USB_JOB_END_WORDS 1
+
+/* A job's last word on OUT. */
+struct gloss_usb_job_end {
+	uint32_t checksum;
+};
+
+static inline void gloss_usb_job_end_pack(uint32_t *words, const struct gloss_usb_job_end *p)
+{
+	words[0] = p->checksum;
+}
+
+static inline void gloss_usb_job_end_unpack(const uint32_t *words, struct gloss_usb_job_end *p)
+{
+	p->checksum = words[0];
+}
+
 /* ---- usb_response ---- */
 
 #define GLOSS_USB_RESPONSE_WORDS 1
@@ -1313,7 +1332,7 @@ static inline void gloss_usb_response_unpack(const uint32_t *words, struct gloss
 
 /* ---- usb_completion ---- */
 
-#define GLOSS_USB_COMPLETION_WORDS 4
+#define GLOSS_USB_COMPLETION_WORDS 5
 
 /* How a job ended, on IN. */
 struct gloss_usb_completion {
@@ -1326,6 +1345,7 @@ struct gloss_usb_completion {
 	uint32_t offset;
 	/* Words of the response that were answered. */
 	uint32_t response_words;
+	uint32_t checksum;
 };
 
 static inline void gloss_usb_completion_pack(uint32_t *words, const struct gloss_usb_completion *p)
@@ -1335,6 +1355,7 @@ static inline void gloss_usb_completion_pack(uint32_t *words, const struct gloss
 	words[1] = p->sequence;
 	words[2] = p->offset;
 	words[3] = p->response_words;
+	words[4] = p->checksum;
 }
 
 static inline void gloss_usb_completion_unpack(const uint32_t *words,
@@ -1345,6 +1366,7 @@ static inline void gloss_usb_completion_unpack(const uint32_t *words,
 	p->sequence = words[1];
 	p->offset = words[2];
 	p->response_words = words[3];
+	p->checksum = words[4];
 }
 
 /* ---- usb_event ---- */

@@ -12,6 +12,7 @@
 #include "clear.h"
 #include "gloss_regs.h"
 #include "range.h"
+#include "usb_checksum.h"
 #include "usb_link.h"
 #include "usb_node.h"
 
@@ -209,7 +210,7 @@ static void transport_usb_memory_free(void *state, uint64_t base)
 
 /* ---- jobs ---- */
 
-/* A job without its slots and its stream, and where these go. */
+/* A job without its slots, its stream and its end, and where these go. */
 static struct accel_usb_job *usb_job_new(struct transport_usb *transport,
 					 const struct accel_transport_job *from, uint32_t **rest)
 {
@@ -221,7 +222,8 @@ static struct accel_usb_job *usb_job_new(struct transport_usb *transport,
 	};
 	struct accel_usb_job *job;
 
-	job = accel_usb_job_new(transport->link, GLOSS_USB_JOB_WORDS + from->stream_words +
+	job = accel_usb_job_new(transport->link,
+				GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS + from->stream_words +
 				(size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS);
 	if (!job)
 		return NULL;
@@ -233,6 +235,19 @@ static struct accel_usb_job *usb_job_new(struct transport_usb *transport,
 	};
 	*rest = job->message->word + GLOSS_USB_JOB_WORDS;
 	return job;
+}
+
+/* The slots and the stream are there. */
+static void usb_job_finish(struct accel_usb_job *job)
+{
+	const size_t end = job->bytes / sizeof(uint32_t) - GLOSS_USB_JOB_END_WORDS;
+	uint32_t *words = job->message->word;
+	const struct gloss_usb_job_end checked = {
+		.checksum = accel_usb_checksum(0, words + GLOSS_USB_JOB_STREAM_WORDS_WORD,
+					       end - GLOSS_USB_JOB_STREAM_WORDS_WORD),
+	};
+
+	gloss_usb_job_end_pack(words + end, &checked);
 }
 
 /* Queues the job that makes the object zero. */
@@ -257,6 +272,7 @@ static int usb_clear_queue(struct transport_usb *transport, struct usb_object *o
 	job->must = true;
 	gloss_slot_entry_pack(words, &slot);
 	accel_clear_pack(words + GLOSS_SLOT_ENTRY_WORDS, tile_size, object->tiles);
+	usb_job_finish(job);
 	err = accel_usb_link_submit(transport->link, job, losses, &object->clearing);
 	if (err)
 		accel_usb_job_free(transport->link, job);
@@ -357,6 +373,7 @@ static int transport_usb_submit(void *state, const struct accel_transport_job *f
 	if (from->stream_words)
 		memcpy(words + (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS, from->stream,
 		       (size_t)from->stream_words * sizeof(uint32_t));
+	usb_job_finish(job);
 	if (!err)
 		err = usb_job_submit(transport, job, from, sequence);
 	if (err)

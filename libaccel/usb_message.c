@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <string.h>
 
+#include "usb_checksum.h"
 #include "usb_message.h"
 
 /* Bits of a completion's first word that are zero. */
 #define COMPLETION_ZERO 0x0000fff0u
+/* Words of it that its checksum is of. */
+#define COMPLETION_CHECKED (GLOSS_USB_COMPLETION_WORDS - 1)
 
 void accel_usb_parser_start(struct accel_usb_parser *parser, uint32_t nonce)
 {
@@ -23,8 +26,8 @@ static enum accel_usb_message parser_search(struct accel_usb_parser *parser, uin
 {
 	struct gloss_usb_sync sync;
 
-	memmove(parser->word, parser->word + 1, 3 * sizeof(word));
-	parser->word[3] = word;
+	memmove(parser->word, parser->word + 1, (GLOSS_USB_SYNC_WORDS - 1) * sizeof(word));
+	parser->word[GLOSS_USB_SYNC_WORDS - 1] = word;
 	gloss_usb_sync_unpack(parser->word, &sync);
 	if (sync.mark != GLOSS_USB_SYNC_MAGIC || sync.mark_complement != ~sync.mark ||
 	    sync.nonce != parser->nonce || sync.nonce_complement != ~sync.nonce)
@@ -72,18 +75,22 @@ static size_t parser_chunk(struct accel_usb_parser *parser, const struct accel_u
 	if (count > parser->chunk)
 		count = parser->chunk;
 	memcpy(answer->response + parser->answered - parser->chunk, words, count * sizeof(*words));
+	parser->checksum = accel_usb_checksum(parser->checksum, words, count);
 	parser->chunk -= (uint32_t)count;
 	if (!parser->chunk)
 		parser->state = ACCEL_USB_PARSER_HEADER;
 	return count;
 }
 
-static bool completion_fits(const struct gloss_usb_completion *completion,
-			    const struct accel_usb_answer *answer, uint32_t answered)
+static bool completion_fits(const struct accel_usb_parser *parser,
+			    const struct gloss_usb_completion *completion,
+			    const struct accel_usb_answer *answer)
 {
-	return completion->cause <= GLOSS_FAULT_MEMORY &&
+	return completion->checksum == accel_usb_checksum(parser->checksum, parser->word,
+							  COMPLETION_CHECKED) &&
+	       completion->cause <= GLOSS_FAULT_MEMORY &&
 	       completion->sequence == answer->sequence &&
-	       completion->response_words == answered &&
+	       completion->response_words == parser->answered &&
 	       (completion->cause ? completion->offset <= answer->stream_words :
 				    completion->offset == answer->stream_words);
 }
@@ -97,7 +104,7 @@ static enum accel_usb_message parser_completion(struct accel_usb_parser *parser,
 	if (parser->words < GLOSS_USB_COMPLETION_WORDS)
 		return ACCEL_USB_MORE;
 	gloss_usb_completion_unpack(parser->word, &completion);
-	if (!completion_fits(&completion, answer, parser->answered))
+	if (!completion_fits(parser, &completion, answer))
 		return parser_garbled(parser);
 	answer->status = (struct gloss_status){
 		.cause = completion.cause,
@@ -106,6 +113,7 @@ static enum accel_usb_message parser_completion(struct accel_usb_parser *parser,
 	};
 	parser->state = ACCEL_USB_PARSER_HEADER;
 	parser->answered = 0;
+	parser->checksum = 0;
 	parser->last = false;
 	return ACCEL_USB_COMPLETION;
 }

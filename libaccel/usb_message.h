@@ -40,10 +40,12 @@ enum accel_usb_parser_state {
 struct accel_usb_parser {
 	enum accel_usb_parser_state state;
 	uint32_t nonce;
-	uint32_t word[4];		/* the last ones of a search, the first of a completion */
+	/* The last ones of a search, the first of a completion. */
+	uint32_t word[GLOSS_USB_COMPLETION_WORDS];
 	unsigned int words;		/* in there, of a completion */
 	uint32_t answered;		/* response words of the job, with the chunk under way */
 	uint32_t chunk;			/* words of it yet to come */
+	uint32_t checksum;		/* of the response words that have come */
 	bool last;			/* after a chunk that is not full there is no other */
 };
 

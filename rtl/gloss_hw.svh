@@ -506,12 +506,18 @@
   localparam logic [127:0] USB_JOB_RESERVED = 128'h000000000000000000000000000000e0;
 
   typedef struct packed {
+    logic [31:0] checksum;
+  } usb_job_end_t;
+  localparam logic [31:0] USB_JOB_END_RESERVED = 32'h00000000;
+
+  typedef struct packed {
     logic [15:0] mark;
     logic [15:0] count;
   } usb_response_t;
   localparam logic [31:0] USB_RESPONSE_RESERVED = 32'h00000000;
 
   typedef struct packed {
+    logic [31:0] checksum;  // word 4
     logic [31:0] response_words;  // word 3
     logic [31:0] offset;  // word 2
     logic [31:0] sequence_;  // word 1
@@ -519,7 +525,7 @@
     logic [11:0] reserved_0;
     logic [3:0] cause;
   } usb_completion_t;
-  localparam logic [127:0] USB_COMPLETION_RESERVED = 128'h0000000000000000000000000000fff0;
+  localparam logic [159:0] USB_COMPLETION_RESERVED = 160'h000000000000000000000000000000000000fff0;
 
   typedef struct packed {
     logic [31:0] sequence_;  // word 1

@@ -89,7 +89,7 @@ module port_usb #(
   // channels
   logic fifo_ready, word_valid, word_ready, in_valid;
   logic [31:0] word;
-  logic echo, echoed, completed;
+  logic echo, echoed, checked, completed;
   gloss_pkg::usb_sync_t sync;
 
   // events
@@ -140,9 +140,9 @@ module port_usb #(
     .nonce_i(nonce_q), .idle_o(idle), .running_o(running),
     .lost_o(lost), .lost_event_o(lost_event), .taken_o(stream_taken),
     .echo_o(echo), .sync_o(sync), .echoed_i(echoed),
-    .sequence_o(sequence_now), .completed_i(completed),
+    .sequence_o(sequence_now), .checked_o(checked), .completed_i(completed),
     .slot_write_o, .slot_index_o, .slot_base_o, .slot_size_o, .slot_rights_o,
-    .job_valid_o, .job_ready_i, .job_stream_words_o, .job_response_words_o,
+    .job_valid_o, .job_ready_i, .job_ended_i(status_valid_i), .job_stream_words_o, .job_response_words_o,
     .stream_valid_o, .stream_ready_i, .stream_data_o
   );
 
@@ -152,7 +152,7 @@ module port_usb #(
   port_usb_in #(.PixelsPerClock(PixelsPerClock)) u_in (
     .clk_i, .rst_ni(core_rst_n),
     .echo_i(echo), .sync_i(sync), .echoed_o(echoed),
-    .sequence_i(sequence_now), .completed_o(completed),
+    .sequence_i(sequence_now), .running_i(running), .checked_i(checked), .completed_o(completed),
     .response_valid_i, .response_ready_o, .response_count_i, .response_data_i,
     .status_valid_i, .status_ready_o, .status_i,
     .taken_o(response_taken), .done_o(done),

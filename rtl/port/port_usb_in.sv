@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The IN channel: the echo of a usb_sync; and of each job its response in chunks, then its usb_completion. A chunk goes
 // out when all of its words are here, or all of the job's are. The FIFO has room for two, so that the core goes on
-// while one leaves. The job is counted as soon as the core has ended it, whether or not anyone takes words; the core
-// gets its next one when its usb_completion is taken.
+// while one leaves. The job is counted as soon as the core has ended it and its checksum was right, whether or not
+// anyone takes words; the core gets its next one when its usb_completion is taken. Without the right checksum the job
+// has nothing but full chunks.
 module port_usb_in #(
   parameter int unsigned PixelsPerClock = 1
 ) (
@@ -14,6 +15,8 @@ module port_usb_in #(
   input  gloss_pkg::usb_sync_t         sync_i,
   output logic                         echoed_o,
   input  logic [31:0]                  sequence_i,
+  input  logic                         running_i,
+  input  logic                         checked_i,
   output logic                         completed_o,
 
   // core
@@ -29,7 +32,7 @@ module port_usb_in #(
 
   // registers
   output logic [3:0]                   taken_o,        // words the core gives in this clock
-  output logic                         done_o,         // its job has ended
+  output logic                         done_o,         // its job has ended as it should
 
   output logic                         word_valid_o,
   input  logic                         word_ready_i,
@@ -41,7 +44,7 @@ module port_usb_in #(
   localparam int unsigned HaveBits = $clog2(Depth) + 1;
   localparam int unsigned CountBits = $clog2(gloss_pkg::UsbChunkWords) + 1;
 
-  typedef enum logic [2:0] {Rest, Header, Words, Completion, Echo} state_e;
+  typedef enum logic [2:0] {Rest, Header, Words, Completion, Settle, Checksum, Echo} state_e;
 
   state_e state_d, state_q;
   logic give;
@@ -60,7 +63,9 @@ module port_usb_in #(
   logic [127:0] message;
   logic [1:0] place_q;
   logic message_ends;
-  logic ended_q, told_q;
+  logic [31:0] given_q, sum_q;
+  logic sum_given_q;
+  logic ended, ended_q, told_q;
 
   // ---- response ----
   port_pack #(.PixelsPerClock(PixelsPerClock), .StreamBits(32)) u_pack (
@@ -84,24 +89,25 @@ module port_usb_in #(
 
   // ---- chunks ----
   assign full = have_q >= HaveBits'(gloss_pkg::UsbChunkWords);
-  assign last = status_valid_i && pack_empty;
+  assign ended = status_valid_i && checked_i;
+  assign last = ended && pack_empty;
   assign count = full ? CountBits'(gloss_pkg::UsbChunkWords) : CountBits'(have_q);
   assign begin_chunk = state_q == Rest && (full || (last && have_q != '0));
 
-  // ---- messages of one word and of four ----
+  // ---- messages ----
   assign header = {16'(gloss_pkg::UsbResponseMagic), 16'(count_q)};
-  assign completion = {status_i.response_words, status_i.offset, sequence_i,
+  assign completion = {sum_q, status_i.response_words, status_i.offset, sequence_i,
                        16'(gloss_pkg::UsbCompletionMagic), 12'd0, status_i.cause};
-  assign message = state_q == Echo ? sync_i : completion;
+  assign message = state_q == Echo ? sync_i : completion[127:0];
   assign message_ends = give && place_q == '1;
 
   assign give = word_valid_o && word_ready_i;
-  assign word_valid_o = state_q == Words ? fifo_valid : state_q != Rest;
-  assign word_flush_o = (state_q == Completion || state_q == Echo) && place_q == '1;
+  assign word_valid_o = state_q == Words ? fifo_valid : state_q != Rest && state_q != Settle;
+  assign word_flush_o = state_q == Checksum || (state_q == Echo && place_q == '1);
   assign fifo_ready = state_q == Words && word_ready_i;
 
   assign echoed_o = state_q == Echo && message_ends;
-  assign completed_o = state_q == Completion && message_ends;
+  assign completed_o = state_q == Checksum && give;
   assign status_ready_o = completed_o;
   // A clock after the status, when the core's counters of time hold.
   assign done_o = ended_q && !told_q;
@@ -110,6 +116,7 @@ module port_usb_in #(
     unique case (state_q)
       Header: word_o = header;
       Words: word_o = fifo_word;
+      Checksum: word_o = completion.checksum;
       default: word_o = message[32*place_q +: 32];
     endcase
   end
@@ -124,7 +131,10 @@ module port_usb_in #(
       end
       Header: if (give) state_d = Words;
       Words: if (give && count_q == CountBits'(1)) state_d = Rest;
-      Completion, Echo: if (message_ends) state_d = Rest;
+      Completion: if (message_ends) state_d = Settle;
+      Settle: state_d = Checksum; // the last word is added
+      Checksum: if (give) state_d = Rest;
+      Echo: if (message_ends) state_d = Rest;
       default: state_d = Rest;
     endcase
   end
@@ -132,6 +142,10 @@ module port_usb_in #(
   always_ff @(posedge clk_i) begin
     if (begin_chunk) count_q <= count;
     else if (state_q == Words && give) count_q <= count_q - 1'b1;
+    if (!running_i) sum_q <= '0;
+    else if (sum_given_q) sum_q <= {sum_q[30:0], sum_q[31]} + given_q;
+    sum_given_q <= give && state_q != Header;
+    given_q <= word_o;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -146,7 +160,7 @@ module port_usb_in #(
       have_q <= have_q + HaveBits'(push) - (begin_chunk ? HaveBits'(count) : '0);
       if (state_q == Rest) place_q <= '0;
       else if (give) place_q <= place_q + 1'b1;
-      ended_q <= status_valid_i && !completed_o;
+      ended_q <= ended && !completed_o;
       told_q <= ended_q;
     end
   end

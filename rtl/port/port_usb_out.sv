@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The OUT channel: a usb_sync is looked for, then jobs are taken apart: their slots, those not sent as empty ones, and
-// their stream go to the core. A word that no job begins with ends that; what comes behind it is dropped.
+// their stream go to the core, their checksum is compared. A word that no job begins or ends with ends that; what comes
+// behind it is dropped. With a wrong checksum that is when the core has ended the job, whose status it keeps.
 //
 // A window of the last four words is all there is of a message. A usb_sync is seen in it, an entry of a slot table is
 // written from it, and its newest words are the beat for the core: 32-bit words in, beats of StreamBits out, a word a
@@ -28,6 +29,7 @@ module port_usb_out #(
   output gloss_pkg::usb_sync_t  sync_o,
   input  logic                  echoed_i,
   output logic [31:0]           sequence_o,
+  output logic                  checked_o,      // the job's checksum was there, and right
   input  logic                  completed_i,
 
   // core
@@ -38,6 +40,7 @@ module port_usb_out #(
   output logic [1:0]            slot_rights_o,
   output logic                  job_valid_o,
   input  logic                  job_ready_i,
+  input  logic                  job_ended_i,
   output logic [31:0]           job_stream_words_o,
   output logic [31:0]           job_response_words_o,
   output logic                  stream_valid_o,
@@ -74,7 +77,11 @@ module port_usb_out #(
   logic pad, move, beat_ends, beat_q;
   logic [2:0] words_q;          // of the stream that are in the beat
 
-  assign shift = take || pad;
+  logic [31:0] sum_q;
+  logic last;                   // the next word is the job's usb_job_end
+  logic ended_q, right_q, wrong;
+
+  assign shift = (take && !last) || pad;
   assign take = word_valid_i && word_ready_o;
   assign fourth = take && place_q == '1;
 
@@ -111,10 +118,16 @@ module port_usb_out #(
   assign stream_data_o = window_q[127 -: StreamBits];
   assign taken_o = beat_q && stream_ready_i ? words_q : '0;
 
+  // ---- usb_job_end ----
+  // It does not enter the window: the core may not have taken the last beat.
+  assign last = state_q == Run && !more_q;
+  assign checked_o = right_q;
+  assign wrong = ended_q && !right_q && job_ended_i;
+
   assign idle_o = state_q == Search || state_q == Lost || (state_q == Rest && !word_valid_i);
   assign running_o = state_q == Run;
   assign lost_o = state_q == Lost;
-  assign lost_event_o = state_q == Head && head_wrong_q;
+  assign lost_event_o = (state_q == Head && head_wrong_q) || (state_q == Run && wrong);
 
   always_comb begin
     state_d = state_q;
@@ -140,8 +153,9 @@ module port_usb_out #(
       end
       Start: if (job_valid_o && job_ready_i) state_d = Run;
       Run: begin
-        word_ready_o = move && more_q;
-        if (completed_i) state_d = Rest;
+        word_ready_o = more_q ? move : !ended_q;
+        if (wrong) state_d = Lost;
+        else if (completed_i) state_d = Rest;
       end
       Lost: word_ready_o = 1'b1;
       default: state_d = Search;
@@ -156,11 +170,14 @@ module port_usb_out #(
       room_q <= word_i;
       left_q <= window_q[127:96];
       more_q <= window_q[127:96] != '0;
-    end else if (state_q == Run && take) begin
+    end else if (state_q == Run && take && !last) begin
       left_q <= left_q - 1'b1;
       more_q <= left_q != 32'd1;
     end
-    if (shift) words_q <= (lane == '0 ? '0 : words_q) + 3'(take);
+    if (shift) words_q <= (lane == '0 ? '0 : words_q) + 3'(!pad);
+    // From the third word on.
+    if (state_q == Rest || (state_q == Head && !place_q[1])) sum_q <= '0;
+    else if (take) sum_q <= {sum_q[30:0], sum_q[31]} + word_i;
     slot_sent_q <= slot_sent;
   end
 
@@ -174,6 +191,8 @@ module port_usb_out #(
       index_q <= '0;
       slot_write_q <= 1'b0;
       beat_q <= 1'b0;
+      ended_q <= 1'b0;
+      right_q <= 1'b0;
     end else begin
       state_q <= state_d;
       if (shift) window_q <= {word_i, window_q[127:32]};
@@ -188,6 +207,13 @@ module port_usb_out #(
       slot_write_q <= slot_next;
       if (state_q == Run && shift) beat_q <= beat_ends;
       else if (stream_ready_i) beat_q <= 1'b0;
+      if (state_q != Run) begin
+        ended_q <= 1'b0;
+        right_q <= 1'b0;
+      end else if (last && take) begin
+        ended_q <= 1'b1;
+        right_q <= word_i == sum_q;
+      end
     end
   end
 

@@ -13,6 +13,7 @@
 #include "fake_usb.h"
 #include "fuzz_usb_input.h"
 #include "transport.h"
+#include "usb_checksum.h"
 
 #define JOBS 6
 #define PAGE_WORDS 1024u
@@ -29,6 +30,8 @@ static struct {
 	uint32_t pass;			/* honest words yet to come */
 	uint32_t made_up;		/* words of a chunk yet to come */
 	uint32_t nonce;
+	/* Of the answer that leaves: words yet to come of a chunk, of a completion; its checksum. */
+	uint32_t chunk, completion, checksum;
 } hostile;
 
 static void check(bool condition)
@@ -90,6 +93,8 @@ static void board_write(struct gloss_usb_board *board, uint32_t offset, uint32_t
 {
 	if (offset == GLOSS_REG_NONCE)
 		hostile.nonce = value;
+	if (offset == GLOSS_REG_CONTROL)
+		hostile.chunk = hostile.completion = hostile.checksum = 0;
 	hostile.honest->write(board, offset, value);
 }
 
@@ -198,12 +203,11 @@ static uint32_t in_raw(uint32_t *words, uint32_t count, uint32_t room)
 	return count;
 }
 
-/* What has no room for four words waits for the next packet. */
-static uint32_t board_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
+/* What has no room for a completion waits for the next packet. */
+static uint32_t in_any(uint32_t *words, uint32_t room, bool *flush)
 {
 	uint8_t piece;
 
-	(void)board;
 	*flush = false;
 	if (hostile.pass)
 		return in_passed(words, room, flush);
@@ -211,7 +215,7 @@ static uint32_t board_in(struct gloss_usb_board *board, uint32_t *words, uint32_
 		return in_made_up(words, room);
 	if (!hostile.left)
 		return in_after(words, room, flush);
-	if (room < 4)
+	if (room < GLOSS_USB_COMPLETION_WORDS)
 		return honest_in(words, room, flush);
 	piece = take();
 	if (piece < 0x80) {
@@ -235,6 +239,46 @@ static uint32_t board_in(struct gloss_usb_board *board, uint32_t *words, uint32_
 	default:
 		return in_raw(words, (piece & 0x1fu) + 1, room);
 	}
+}
+
+/* What a word of a completion becomes: the last one is its checksum. */
+static uint32_t seal_completion(uint32_t word)
+{
+	uint32_t sum = hostile.checksum;
+
+	if (--hostile.completion) {
+		hostile.checksum = accel_usb_checksum(sum, &word, 1);
+		return word;
+	}
+	hostile.checksum = 0;
+	return hostile.head.flags & FUZZ_USB_CHECKSUMS ? word : sum;
+}
+
+/* What a word that leaves becomes. */
+static uint32_t seal(uint32_t word)
+{
+	if (hostile.completion)
+		return seal_completion(word);
+	if (hostile.chunk) {
+		hostile.chunk--;
+		hostile.checksum = accel_usb_checksum(hostile.checksum, &word, 1);
+	} else if (word >> 16 == GLOSS_USB_RESPONSE_MAGIC) {
+		hostile.chunk = word & 0xffff;
+	} else if (word >> 16 == GLOSS_USB_COMPLETION_MAGIC) {
+		hostile.completion = GLOSS_USB_COMPLETION_WORDS;
+		return seal_completion(word);
+	}
+	return word;
+}
+
+static uint32_t board_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
+{
+	uint32_t count = in_any(words, room, flush);
+
+	(void)board;
+	for (uint32_t n = 0; n < count; n++)
+		words[n] = seal(words[n]);
+	return count;
 }
 
 static bool board_event(struct gloss_usb_board *board, uint32_t words[2])

@@ -44,6 +44,7 @@ static void put_head(struct input *input, uint64_t *seed)
 	struct fuzz_usb_head *head = &input->head;
 
 	head->flags = (uint8_t)(below(seed, 4) | below(seed, 4) << 4);
+	head->flags |= below(seed, 8) ? 0 : FUZZ_USB_CHECKSUMS;
 	head->jobs = (uint8_t)(1 + below(seed, 6));
 	head->response = (uint8_t)below(seed, 256);
 	head->interfaces = 2;

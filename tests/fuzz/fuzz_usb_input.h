@@ -12,7 +12,9 @@
  *   e0 to ef   the usb_sync that the host waits for
  *   f0 to ff   the burst ends
  *
- * With FUZZ_USB_REGISTERS a read register takes a byte, and from e0 on its value.
+ * Whatever the words are, the checksum of a completion is that of the answer it ends, as nobody
+ * would guess it, unless FUZZ_USB_CHECKSUMS is set. With FUZZ_USB_REGISTERS a read register takes
+ * a byte, and from e0 on its value.
  */
 #ifndef FUZZ_USB_INPUT_H
 #define FUZZ_USB_INPUT_H
@@ -29,6 +31,7 @@
 #define FUZZ_USB_AFTER 0x30u		/* what comes when the bytes have ended */
 #define FUZZ_USB_AFTER_SILENCE 0x10u
 #define FUZZ_USB_AFTER_ENDLESS 0x20u	/* made-up words; anything else: honest ones */
+#define FUZZ_USB_CHECKSUMS 0x40u	/* they are as the words say, and mostly wrong */
 
 struct fuzz_usb_head {
 	uint8_t flags;

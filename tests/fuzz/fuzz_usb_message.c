@@ -19,6 +19,7 @@ struct outcome {
 	struct accel_usb_answer answer[JOBS];
 	unsigned int ended, syncs;
 	bool garbled;
+	uint8_t checksums;		/* of the input: bit n is set: job n's is not set right */
 };
 
 static void check(bool condition)
@@ -97,6 +98,26 @@ static size_t find_sync(const uint32_t *words, size_t count)
 	return 0;
 }
 
+static uint32_t checksum(uint32_t sum, const uint32_t *words, uint32_t count)
+{
+	while (count--) {
+		sum = (uint32_t)(((uint64_t)sum << 32 | sum) >> 31);
+		sum += *words++;
+	}
+	return sum;
+}
+
+/* Makes the checksum right, unless the input says otherwise. */
+static bool is_checked(const struct outcome *outcome, const struct accel_usb_answer *answer,
+		       uint32_t *words, uint32_t answered)
+{
+	uint32_t right = checksum(checksum(0, answer->response, answered), words, 4);
+
+	if (!(outcome->checksums >> outcome->ended & 1))
+		words[4] = right;
+	return words[4] == right;
+}
+
 static bool is_completion(const struct accel_usb_answer *answer, const uint32_t *words,
 			  uint32_t answered)
 {
@@ -108,7 +129,7 @@ static bool is_completion(const struct accel_usb_answer *answer, const uint32_t 
 }
 
 /* Reads job @outcome->ended; how many words it has, 0 if it does not end in these. */
-static size_t read_answer(struct outcome *outcome, const uint32_t *words, size_t count)
+static size_t read_answer(struct outcome *outcome, uint32_t *words, size_t count)
 {
 	struct accel_usb_answer *answer = &outcome->answer[outcome->ended];
 	uint32_t answered = 0, chunk = GLOSS_USB_CHUNK_WORDS;
@@ -130,13 +151,14 @@ static size_t read_answer(struct outcome *outcome, const uint32_t *words, size_t
 	outcome->garbled = words[at] >> 4 != GLOSS_USB_COMPLETION_MAGIC << 12;
 	if (outcome->garbled || count - at < GLOSS_USB_COMPLETION_WORDS)
 		return 0;
-	outcome->garbled = !is_completion(answer, words + at, answered);
+	outcome->garbled = !is_checked(outcome, answer, words + at, answered) ||
+			   !is_completion(answer, words + at, answered);
 	answer->status = (struct gloss_status){ (enum gloss_fault)(words[at] & 15), words[at + 2],
 						answered };
 	return outcome->garbled ? 0 : at + GLOSS_USB_COMPLETION_WORDS;
 }
 
-static void expect(struct outcome *outcome, const uint32_t *words, size_t count)
+static void expect(struct outcome *outcome, uint32_t *words, size_t count)
 {
 	size_t at = find_sync(words, count), job = 1;
 
@@ -181,9 +203,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	outcome_init(&whole, data + 1);
 	outcome_init(&pieces, data + 1);
 	outcome_init(&expected, data + 1);
+	expected.checksums = data[1 + JOBS];
+	expect(&expected, words, count);
 	run(&whole, words, count, count);
 	run(&pieces, words, count, 1u + data[0]);
-	expect(&expected, words, count);
 	check_same(&expected, &whole);
 	check_same(&expected, &pieces);
 	outcome_free(&whole);

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "pair.h"
+#include "usb_checksum.h"
 #include "usb_host.h"
 
 #define BATCHES 3
@@ -26,13 +27,14 @@ enum kind {
 	TORN,		/* the host stops at some word */
 	LOST,		/* no job begins with the word behind them */
 	HEAD,		/* a bit of a job's length, room or sequence is wrong */
+	CHECKSUM,	/* a bit of a job's checksum is wrong */
 	RESET,		/* at some time, another one on each board */
 	WILD,		/* a bit of anything is wrong */
 	KINDS
 };
 
-static const char *const kind_names[KINDS] = { "plain", "full", "torn", "lost", "head", "reset",
-					       "wild" };
+static const char *const kind_names[KINDS] = { "plain", "full", "torn", "lost", "head",
+					       "checksum", "reset", "wild" };
 
 struct test {
 	struct pair pair;			/* first: a pair is the test */
@@ -142,6 +144,25 @@ static void flip(struct test *test, uint32_t word)
 		test->host[side].out.word[word] ^= bit;
 }
 
+/* Where job @n ends. */
+static uint32_t tail(const struct test *test, uint32_t n)
+{
+	return (n + 1 < test->jobs ? test->head[n + 1] : test->host[0].out.count) - 1;
+}
+
+/* Another length, room or sequence, and the checksum that goes with it. */
+static void change_head(struct test *test, uint32_t n)
+{
+	uint32_t from = test->head[n] + GLOSS_USB_JOB_STREAM_WORDS_WORD;
+
+	flip(test, test->head[n] + 1 + below(test, 3));
+	for (uint32_t side = 0; side < 2; side++) {
+		uint32_t *out = test->host[side].out.word;
+
+		out[tail(test, n)] = accel_usb_checksum(0, out + from, tail(test, n) - from);
+	}
+}
+
 static void make_job(struct test *test, uint32_t n)
 {
 	const struct gloss_job *job = &test->pair.stream.job;
@@ -186,7 +207,9 @@ static void make_jobs(struct test *test, enum kind kind)
 		make_job(test, jobs);
 	}
 	if (kind == HEAD)
-		flip(test, test->head[below(test, jobs)] + 1 + below(test, 3));
+		change_head(test, below(test, jobs));
+	if (kind == CHECKSUM)
+		flip(test, tail(test, below(test, jobs)));
 	if (kind == WILD)
 		flip(test, test->head[0] + below(test, words));
 	if (kind == TORN) {
@@ -357,6 +380,8 @@ static int check(struct test *test, enum kind kind)
 	test->words += test->host[0].in.count;
 	if (kind == TORN || kind == HEAD)
 		return check_torn(test);
+	if (kind == CHECKSUM)
+		return pair_compare_memory(&test->pair) || synchronise(test);
 	if (check_answers(test) || pair_compare_memory(&test->pair))
 		return 1;
 	return kind == LOST && synchronise(test);

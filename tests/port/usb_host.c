@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "usb_checksum.h"
+
 /* Steps for what no test has work enough for. */
 #define STEPS_FOR_EVER 1000000
 
@@ -67,7 +69,7 @@ void usb_host_sync(struct usb_host *host, uint32_t nonce)
 void usb_host_job(struct usb_host *host, const struct gloss_job *job, uint32_t slots,
 		  uint32_t sequence)
 {
-	uint32_t words[GLOSS_USB_JOB_WORDS];
+	uint32_t words[GLOSS_USB_JOB_WORDS], from;
 
 	gloss_usb_job_pack(words, &(struct gloss_usb_job){
 		.slots = slots,
@@ -76,6 +78,7 @@ void usb_host_job(struct usb_host *host, const struct gloss_job *job, uint32_t s
 		.stream_words = job->stream_words,
 		.response_words = job->response_words,
 	});
+	from = host->out.count + GLOSS_USB_JOB_STREAM_WORDS_WORD;
 	usb_words_add(&host->out, words, GLOSS_USB_JOB_WORDS);
 	for (uint32_t n = 0; n < slots; n++) {
 		gloss_slot_entry_pack(words, &(struct gloss_slot_entry){
@@ -86,6 +89,10 @@ void usb_host_job(struct usb_host *host, const struct gloss_job *job, uint32_t s
 		usb_words_add(&host->out, words, GLOSS_SLOT_ENTRY_WORDS);
 	}
 	usb_words_add(&host->out, job->stream, job->stream_words);
+	gloss_usb_job_end_pack(words, &(struct gloss_usb_job_end){
+		.checksum = accel_usb_checksum(0, host->out.word + from, host->out.count - from),
+	});
+	usb_words_add(&host->out, words, GLOSS_USB_JOB_END_WORDS);
 }
 
 /* ---- what happens ---- */
@@ -190,6 +197,7 @@ static bool host_message(struct usb_host *host, bool *completion)
 {
 	const uint32_t *words = host->in.word + host->read;
 	struct gloss_usb_response head;
+	uint32_t sum;
 
 	*completion = false;
 	if (host->read == host->in.count)
@@ -208,7 +216,10 @@ static bool host_message(struct usb_host *host, bool *completion)
 	if (!words)
 		return false;
 	gloss_usb_completion_unpack(words, &host->completion);
-	return host->completion.mark == GLOSS_USB_COMPLETION_MAGIC && !(words[0] & 0xfff0) &&
+	sum = accel_usb_checksum(0, host->response.word, host->response.count);
+	return accel_usb_checksum(sum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD) ==
+	       host->completion.checksum &&
+	       host->completion.mark == GLOSS_USB_COMPLETION_MAGIC && !(words[0] & 0xfff0) &&
 	       host->completion.response_words == host->response.count;
 }
 

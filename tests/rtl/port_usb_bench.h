@@ -11,6 +11,7 @@
 #include "gloss_regs.h"
 #include "port_access.h"
 #include "port_core.h"
+#include "usb_checksum.h"
 
 struct UsbJob {
 	uint32_t sequence, room;
@@ -129,30 +130,60 @@ public:
 		expect(job);
 	}
 
-	void send_words(const UsbJob &job)
+	/* All words of @job on OUT. */
+	std::vector<uint32_t> words_of(const UsbJob &job)
 	{
-		out.insert(out.end(), { GLOSS_USB_JOB_MAGIC << 8 | (uint32_t)job.slots.size(),
-					job.sequence, (uint32_t)job.stream.size(), job.room });
+		std::vector<uint32_t> words = { GLOSS_USB_JOB_MAGIC << 8 | (uint32_t)job.slots.size(),
+						job.sequence, (uint32_t)job.stream.size(), job.room };
+
 		for (const PortSlot &slot : job.slots)
-			out.insert(out.end(), { slot.base, slot.size, slot.rights | random.bits() << 2,
-						random.bits() });
-		out.insert(out.end(), job.stream.begin(), job.stream.end());
+			words.insert(words.end(), { slot.base, slot.size,
+						    slot.rights | random.bits() << 2, random.bits() });
+		words.insert(words.end(), job.stream.begin(), job.stream.end());
+		words.push_back(accel_usb_checksum(0, &words[2], words.size() - 2));
+		return words;
 	}
 
-	void expect(const UsbJob &job)
+	void send_words(const UsbJob &job)
+	{
+		std::vector<uint32_t> words = words_of(job);
+
+		out.insert(out.end(), words.begin(), words.end());
+	}
+
+	/* Instead of the words of @job others that are not right: the core has them, its answer ends nowhere. */
+	void send_wrong(const UsbJob &job, const std::vector<uint32_t> &words)
+	{
+		size_t count = job.answer.words.size();
+
+		out.insert(out.end(), words.begin(), words.end());
+		expect_response(job, count - count % GLOSS_USB_CHUNK_WORDS);
+		core.answers.push_back(job.answer);
+	}
+
+	void expect_response(const UsbJob &job, size_t count)
 	{
 		const std::vector<uint32_t> &words = job.answer.words;
 
-		for (size_t n = 0; n < words.size(); n++) {
+		for (size_t n = 0; n < count; n++) {
 			if (n % GLOSS_USB_CHUNK_WORDS == 0)
 				expect(GLOSS_USB_RESPONSE_MAGIC << 16 |
 				       (uint32_t)std::min<size_t>(words.size() - n, GLOSS_USB_CHUNK_WORDS));
 			expect(words[n]);
 		}
-		expect(GLOSS_USB_COMPLETION_MAGIC << 16 | job.answer.cause);
-		expect(job.sequence);
-		expect(job.answer.offset);
-		expect(words.size(), true, true);
+	}
+
+	void expect(const UsbJob &job)
+	{
+		const std::vector<uint32_t> &words = job.answer.words;
+		const uint32_t completion[] = { GLOSS_USB_COMPLETION_MAGIC << 16 | job.answer.cause,
+						job.sequence, job.answer.offset, (uint32_t)words.size() };
+		uint32_t sum = accel_usb_checksum(0, words.data(), words.size());
+
+		expect_response(job, words.size());
+		for (uint32_t word : completion)
+			expect(word);
+		expect(accel_usb_checksum(sum, completion, 4), true, true);
 		core.answers.push_back(job.answer);
 		jobs.push_back(job);
 	}
@@ -174,6 +205,20 @@ public:
 			clock();
 		}
 		clock(1100);
+	}
+
+	/* Until the channel is lost, and everything that was sent is dropped. */
+	void wait_lost()
+	{
+		uint64_t start = clocks;
+
+		wait();
+		while (!(read(GLOSS_REG_STATUS) & GLOSS_REG_STATUS_LOST))
+			TB_CHECK(clocks - start < 100000, "the channel is not lost");
+		drain();
+		TB_CHECK(read(GLOSS_REG_STATUS) == (GLOSS_REG_STATUS_IDLE | GLOSS_REG_STATUS_LOST), "STATUS");
+		TB_CHECK(events.size() == 1 &&
+			 events[0] == (GLOSS_USB_EVENT_MAGIC << 16 | GLOSS_USB_EVENT_LOST), "events");
 	}
 
 	/* Until every word that has to come has come. */

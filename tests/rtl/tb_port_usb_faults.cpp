@@ -4,14 +4,13 @@
 
 static const uint32_t idle = GLOSS_REG_STATUS_IDLE;
 static const uint32_t running = GLOSS_REG_STATUS_RUNNING;
-static const uint32_t lost = GLOSS_REG_STATUS_LOST;
 
 /* A host that stops within a job is waited for, wherever it does. */
 static void a_torn_job_waits_for_its_rest(UsbBench &bench, int rounds)
 {
 	for (int round = 0; round < rounds; round++) {
 		UsbJob job = bench.job(bench.random.below(40), bench.random.below(300));
-		size_t head = 4 + 4 * job.slots.size(), words = head + job.stream.size(), cut;
+		size_t head = 4 + 4 * job.slots.size(), words = head + job.stream.size() + 1, cut;
 		std::deque<uint32_t> rest;
 
 		bench.random_stalls();
@@ -30,6 +29,36 @@ static void a_torn_job_waits_for_its_rest(UsbBench &bench, int rounds)
 			bench.wait();
 			bench.check_counters();
 		}
+	}
+}
+
+/* All but its checksum is there: all but what ends its answer is, too, and nobody knows of a fault. */
+static void the_checksum_is_waited_for(UsbBench &bench)
+{
+	for (uint32_t words : { 0, 1, 255, 256, 257, 600 }) {
+		UsbJob job = bench.job(bench.random.below(40), words);
+		uint64_t taken;
+		uint32_t last;
+
+		job.answer.cause = 3;
+		bench.kind();
+		bench.start();
+		bench.wait();
+		taken = bench.taken;
+		bench.send(job);
+		last = bench.out.back();
+		bench.out.pop_back();
+		bench.drain();
+		TB_CHECK(bench.read(GLOSS_REG_STATUS) == running && bench.read(GLOSS_REG_JOBS) == 0 &&
+			 bench.read(GLOSS_REG_FAULT_CAUSE) == 0 && bench.events.empty(), "it has ended");
+		TB_CHECK(bench.read(GLOSS_REG_PROGRESS) == job.stream.size() + words, "PROGRESS");
+		taken = bench.taken - taken;
+		TB_CHECK(taken == words / GLOSS_USB_CHUNK_WORDS * (1 + GLOSS_USB_CHUNK_WORDS),
+			 "%" PRIu64 " words came", taken);
+		bench.out.push_back(last);
+		bench.wait();
+		bench.check_events({ job }, true);
+		bench.check_counters();
 	}
 }
 
@@ -69,13 +98,111 @@ static void a_word_no_job_begins_with_loses_the_channel(UsbBench &bench, int rou
 		}
 		bench.clock(bench.random.below(2000));
 		bench.in_closed = false;
-		bench.wait();
-		bench.drain();
-		TB_CHECK(bench.read(GLOSS_REG_STATUS) == (idle | lost), "STATUS");
-		TB_CHECK(bench.events.size() == 1 &&
-			 bench.events[0] == (GLOSS_USB_EVENT_MAGIC << 16 | GLOSS_USB_EVENT_LOST), "events");
+		bench.wait_lost();
 		bench.start();
 		bench.check_works();
+	}
+}
+
+/* A job of which @words are not right: the core has had it, and that is all. */
+static void check_wrong(UsbBench &bench, const UsbJob &job, const std::vector<uint32_t> &words)
+{
+	bench.send_wrong(job, words);
+	if (bench.random.chance(50)) {
+		bench.send_words(bench.random_job());
+		bench.send_sync(bench.nonce);
+		bench.send_words(bench.random_job());
+	}
+	bench.wait_lost();
+	TB_CHECK(bench.read(GLOSS_REG_JOBS) == bench.finished, "it is counted");
+	TB_CHECK(bench.read(GLOSS_REG_FAULT_CAUSE) == 0, "its fault is known");
+	TB_CHECK(bench.read(GLOSS_REG_PROGRESS) ==
+		 bench.progress + job.stream.size() + job.answer.words.size(), "it was not executed");
+	bench.start();
+	bench.check_works();
+}
+
+static void a_wrong_checksum_loses_the_channel(UsbBench &bench, int rounds)
+{
+	for (int round = 0; round < rounds; round++) {
+		for (uint32_t count : { 0, 1, 255, 256, 257, 512, 600 }) {
+			UsbJob job = bench.job(bench.random.below(100), count);
+			std::vector<uint32_t> words = bench.words_of(job);
+
+			bench.random_stalls();
+			bench.start();
+			for (int n = bench.random.below(3); n > 0; n--) {
+				UsbJob before = bench.random_job();
+
+				before.answer.cause = 0;
+				bench.send(before);
+			}
+			words.back() ^= 1u << bench.random.below(32);
+			check_wrong(bench, job, words);
+		}
+	}
+}
+
+/* While the core is at work the channel is not lost: STATUS.idle would be wrong. */
+static void a_wrong_checksum_waits_for_the_core(UsbBench &bench)
+{
+	UsbJob job = bench.job(0, 300);
+	std::vector<uint32_t> words = bench.words_of(job);
+
+	words.back()++;
+	bench.kind();
+	bench.start();
+	bench.wait();
+	bench.core.hung = true;
+	bench.send_wrong(job, words);
+	bench.drain();
+	TB_CHECK(bench.read(GLOSS_REG_STATUS) == running && bench.events.empty(), "it has ended");
+	bench.core.hung = false;
+	bench.wait_lost();
+	bench.start();
+	bench.check_works();
+}
+
+/* From response_words to the checksum; the words before those are no part of it, or say where it is. */
+static void one_wrong_bit_of_any_word_is_found(UsbBench &bench)
+{
+	UsbJob job = bench.job(9, 3);
+	std::vector<uint32_t> words;
+
+	job.slots.resize(2);
+	words = bench.words_of(job);
+	for (size_t n = 3; n < words.size(); n++) {
+		uint32_t bit = 1u << bench.random.below(32);
+
+		bench.random_stalls();
+		bench.start();
+		words[n] ^= bit;
+		check_wrong(bench, job, words);
+		words[n] ^= bit;
+	}
+}
+
+static void a_word_lost_repeated_or_moved_is_found(UsbBench &bench)
+{
+	for (size_t n = 4; n < 4 + 12; n++) {
+		UsbJob job = bench.job(12, 3);
+
+		job.slots.clear();
+		for (int kind = 0; kind < 3; kind++) {
+			std::vector<uint32_t> words = bench.words_of(job);
+
+			if (kind == 0) {
+				words.erase(words.begin() + n);
+				words.push_back(GLOSS_USB_JOB_MAGIC << 8);
+			} else if (kind == 1) {
+				words.insert(words.begin() + n, words[n]);
+			} else {
+				std::swap(words[n - 1], words[n]);
+			}
+			bench.random_stalls();
+			bench.start();
+			check_wrong(bench, job, words);
+		}
 	}
 }
 
@@ -233,6 +360,8 @@ static void reset_at_any_time(UsbBench &bench, int rounds)
 		for (int n = bench.random.between(1, 4); n > 0; n--)
 			bench.send(bench.random_job());
 		if (bench.random.chance(20))
+			bench.out.back() ^= 1;
+		if (bench.random.chance(20))
 			bench.out.push_back(0);
 		reset_after(bench, bench.random.below(bench.random.chance(50) ? 300 : 6000));
 	}
@@ -241,7 +370,12 @@ static void reset_at_any_time(UsbBench &bench, int rounds)
 void port_usb_faults(UsbBench &bench, int rounds)
 {
 	a_torn_job_waits_for_its_rest(bench, 4 * rounds);
+	the_checksum_is_waited_for(bench);
 	a_word_no_job_begins_with_loses_the_channel(bench, 3 * rounds);
+	a_wrong_checksum_loses_the_channel(bench, rounds);
+	a_wrong_checksum_waits_for_the_core(bench);
+	one_wrong_bit_of_any_word_is_found(bench);
+	a_word_lost_repeated_or_moved_is_found(bench);
 	four_events_wait(bench);
 	a_fault_does_not_wait_for_in(bench);
 	an_answer_nobody_takes_stops_out(bench);

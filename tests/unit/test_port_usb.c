@@ -9,6 +9,7 @@
 #define MEMORY_SIZE (7 * 4096)
 #define NONCE 0x1234abcd
 #define JOB_HEADER (GLOSS_USB_JOB_MAGIC << 8)
+#define EMPTY_JOB_WORDS (GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS)
 
 struct gloss_usb_board {
 	struct port_usb port;
@@ -393,7 +394,7 @@ static void packet_is_executed_when_it_is_there(void **state)
 		run(host);
 		assert_int_equal(engine->taken, 2 * words);
 		assert_status(host, R(STATUS_RUNNING));
-		host->out.count = begin + FAKE_STREAM_MAX;
+		host->out.count = begin + FAKE_STREAM_MAX + GLOSS_USB_JOB_END_WORDS;
 		run(host);
 		assert_answer(host, 0, words);
 	}
@@ -457,7 +458,7 @@ static void chunk_leaves_when_it_is_full(void **state)
 		run(host);
 		assert_int_equal(host->in.count, 4 + words / 256 * 257);
 	}
-	host->out.count++;
+	host->out.count += 1 + GLOSS_USB_JOB_END_WORDS;
 	run(host);
 	assert_answer(host, 1000, 1);
 }
@@ -605,7 +606,7 @@ static void work_is_false_only_if_nothing_moved(void **state)
 		add_job(host, 700, 30000, 1);
 		add_job(host, 600, 31, 2);
 		add_job(host, 0, 0, 0);
-		host->out.word[host->out.count - GLOSS_USB_JOB_WORDS] = 0;
+		host->out.word[host->out.count - EMPTY_JOB_WORDS] = 0;
 		host->sent += port_usb_out(port, host->out.word + host->sent,
 					   host->out.count - host->sent);
 		do {
@@ -755,6 +756,67 @@ static void word_that_begins_no_job_loses_the_channel(void **state)
 	assert_lost(host, ~0u);
 }
 
+/* No words of an answer but those of full chunks, and no job that is counted. */
+static void assert_unanswered(struct usb_host *host, uint32_t answered)
+{
+	assert_true(usb_host_echo(host, NONCE));
+	assert_int_equal(host->in.count - host->read,
+			 answered / GLOSS_USB_CHUNK_WORDS * (1 + GLOSS_USB_CHUNK_WORDS));
+	assert_int_equal(host->bursts_read, host->burst.count);
+	assert_status(host, R(STATUS_IDLE) | R(STATUS_LOST));
+	assert_int_equal(usb_host_read(host, R(JOBS)), 0);
+	assert_int_equal(usb_host_read(host, R(FAULT_CAUSE)), 0);
+	assert_int_equal(host->event.count, GLOSS_USB_EVENT_WORDS);
+	assert_int_equal(host->event.word[0], GLOSS_USB_EVENT_MAGIC << 16 | GLOSS_USB_EVENT_LOST);
+}
+
+static void job_with_a_wrong_checksum_is_not_answered(void **state)
+{
+	static const uint32_t answered[] = { 0, 1, 255, 256, 257, 511, 512, 1000 };
+	struct usb_host *host = *state;
+
+	host->board->engine.answers = 1;
+	for (size_t n = 0; n < 2 * sizeof(answered) / sizeof(answered[0]); n++) {
+		uint32_t words = answered[n / 2];
+
+		assert_true(usb_host_reset(host, NONCE));
+		usb_host_sync(host, NONCE);
+		host->board->engine.cause = n % 2 ? GLOSS_FAULT_VALUE : GLOSS_FAULT_NONE;
+		add_job(host, 1100, words, 1);
+		host->out.word[host->out.count - 1] += 1 + (uint32_t)n;
+		add_job(host, 10, 3, 2);
+		run(host);
+		assert_unanswered(host, words);
+		start(host);
+		add_job(host, 1100, words, 3);
+		run(host);
+		assert_answer(host, words, 3);
+	}
+}
+
+/* Mark, slots and sequence are looked at in other ways, and with another length it ends at
+ * another word. */
+static void checksum_is_of_every_bit_of_a_job(void **state)
+{
+	struct usb_host *host = *state;
+	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 40 };
+	uint32_t first = GLOSS_USB_SYNC_WORDS + GLOSS_USB_JOB_RESPONSE_WORDS_WORD, last;
+
+	start(host);
+	usb_host_job(host, &job, 3, 1);
+	last = host->out.count;
+	run(host);
+	assert_answer(host, 0, 1);
+	for (uint32_t n = 32 * first; n < 32 * last; n++) {
+		assert_true(usb_host_reset(host, NONCE));
+		usb_host_sync(host, NONCE);
+		usb_host_job(host, &job, 3, 1);
+		host->out.word[n / 32] ^= 1u << n % 32;
+		run(host);
+		assert_unanswered(host, 0);
+	}
+}
+
 static void answers_to_jobs_before_the_loss_can_still_be_read(void **state)
 {
 	static const uint32_t zero;
@@ -803,7 +865,7 @@ static void events_that_nobody_fetches_are_dropped_but_four(void **state)
 	for (uint32_t n = 0; n < 7; n++)
 		add_job(host, 0, 0, 10 + n);
 	assert_int_equal(port_usb_out(&host->board->port, host->out.word + host->sent,
-				      host->out.count - host->sent), 7 * GLOSS_USB_JOB_WORDS);
+				      host->out.count - host->sent), 7 * EMPTY_JOB_WORDS);
 	while (port_usb_work(&host->board->port))
 		;
 	for (uint32_t n = 0; n < 4; n++) {
@@ -819,7 +881,7 @@ static void status_follows_a_job_word_by_word(void **state)
 {
 	struct usb_host *host = *state;
 	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 10 };
-	uint32_t begin, slots, end;
+	uint32_t begin, slots, end, taken;
 
 	start(host);
 	begin = host->out.count;
@@ -831,8 +893,9 @@ static void status_follows_a_job_word_by_word(void **state)
 		run(host);
 		assert_status(host, host->sent == begin || host->sent == end ? R(STATUS_IDLE) :
 				    host->sent < slots ? 0 : R(STATUS_RUNNING));
-		if (host->sent >= slots)
-			assert_int_equal(usb_host_read(host, R(PROGRESS)), host->sent - slots);
+		taken = host->sent < slots ? 0 : host->sent - slots;
+		assert_int_equal(usb_host_read(host, R(PROGRESS)),
+				 taken < job.stream_words ? taken : job.stream_words);
 	}
 }
 
@@ -869,6 +932,8 @@ int main(void)
 		TEST(reset_drops_what_nobody_took),
 		TEST(power_on_is_a_reset),
 		TEST(word_that_begins_no_job_loses_the_channel),
+		TEST(job_with_a_wrong_checksum_is_not_answered),
+		TEST(checksum_is_of_every_bit_of_a_job),
 		TEST(answers_to_jobs_before_the_loss_can_still_be_read),
 		TEST(event_tells_of_each_fault_and_of_no_good_job),
 		TEST(events_that_nobody_fetches_are_dropped_but_four),

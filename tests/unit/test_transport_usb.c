@@ -301,7 +301,8 @@ static void memory_that_no_job_uses_is_not_cleared(void **state)
 
 	assert_int_equal(ops->memory_new(*state, 1 << 20, &object), 0);
 	run_empty(*state);
-	assert_int_equal(fake_usb.out_words - words, 4);
+	assert_int_equal(fake_usb.out_words - words,
+			 GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS);
 	ops->memory_free(*state, object);
 }
 

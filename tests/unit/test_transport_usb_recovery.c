@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sched.h>
 
+#include "usb_checksum.h"
 #include "usb_test.h"
 
 #define NS_PER_MS 1000000ll
@@ -17,7 +18,9 @@ static struct {
 	_Atomic unsigned int reads;	/* of it; before so many the board takes nothing */
 	_Atomic unsigned int reads_to_work;
 	_Atomic unsigned int completions;	/* yet to come before one is a fault */
-	_Atomic uint32_t forged[4];	/* words to come before all others, if there are any */
+	_Atomic uint32_t forged[GLOSS_USB_COMPLETION_WORDS];	/* to come before all others */
+	unsigned int left;		/* words yet to come of the completion that is a fault */
+	uint32_t checksum;		/* of those before them: its job has no response */
 } odd;
 
 static uint32_t odd_read(struct gloss_usb_board *board, uint32_t offset)
@@ -44,22 +47,34 @@ static uint32_t odd_out(struct gloss_usb_board *board, const uint32_t *words, ui
 	return gloss_usb_board_model_t64.out(board, words, count);
 }
 
+/* Makes the completion a fault that is due, with the checksum that it then has. */
+static uint32_t odd_word(uint32_t word)
+{
+	if (odd.left && !--odd.left)
+		return odd.checksum;
+	if (word == GLOSS_USB_COMPLETION_MAGIC << 16 && odd.completions && !--odd.completions) {
+		word |= GLOSS_FAULT_MEMORY;
+		odd.left = GLOSS_USB_COMPLETION_WORDS - 1;
+		odd.checksum = 0;
+	}
+	odd.checksum = accel_usb_checksum(odd.checksum, &word, 1);
+	return word;
+}
+
 static uint32_t odd_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
 {
 	uint32_t count;
 
-	if (odd.forged[0] && room >= 4) {
-		for (int i = 0; i < 4; i++)
+	if (odd.forged[0] && room >= GLOSS_USB_COMPLETION_WORDS) {
+		for (int i = 0; i < GLOSS_USB_COMPLETION_WORDS; i++)
 			words[i] = odd.forged[i];
 		odd.forged[0] = 0;
 		*flush = false;
-		return 4;
+		return GLOSS_USB_COMPLETION_WORDS;
 	}
 	count = gloss_usb_board_model_t64.in(board, words, room, flush);
 	for (uint32_t i = 0; i < count; i++)
-		if (words[i] == GLOSS_USB_COMPLETION_MAGIC << 16 && odd.completions &&
-		    !--odd.completions)
-			words[i] |= GLOSS_FAULT_MEMORY;
+		words[i] = odd_word(words[i]);
 	return count;
 }
 
@@ -69,6 +84,7 @@ static int odd_setup(void **state)
 	struct accel_transport_error error = { "" };
 
 	odd.step = odd.reads = odd.reads_to_work = odd.completions = odd.forged[0] = 0;
+	odd.left = 0;
 	board = gloss_usb_board_model_t64;
 	board.read = odd_read;
 	board.write = odd_write;
@@ -157,6 +173,60 @@ static void a_job_that_fails_is_told_and_the_next_is_right(void **state)
 	for (size_t i = 0; i < sizeof(faults) / sizeof(faults[0]); i++)
 		check_fault(*state, object, faults[i].fault, faults[i].value);
 	ops->memory_free(*state, object);
+}
+
+static void check_garbage(void *state, uint64_t object, enum fake_usb_fault fault, uint64_t at)
+{
+	uint32_t words[WORDS];
+	int err;
+
+	fake_usb_arm(0, fault, at, 0);
+	err = read_words(state, object, words, WORDS);
+	if (err != -EIO)
+		fail_msg("%s at %llu: %s", fake_usb_fault_name(fault), (unsigned long long)at,
+			 strerror(-err));
+	fake_usb_disarm();
+	assert_words(state, object);
+}
+
+/* Also where the words are the caller's. */
+static void a_wrong_word_anywhere_is_found(void **state)
+{
+	const uint64_t out_words = GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS + 3 +
+				   GLOSS_USB_JOB_END_WORDS;
+	const uint64_t in_words = WORDS + (WORDS + GLOSS_USB_CHUNK_WORDS - 1) /
+				  GLOSS_USB_CHUNK_WORDS + GLOSS_USB_COMPLETION_WORDS;
+	uint64_t object = object_with_words(*state), seed = test_seed();
+
+	for (uint64_t at = 1; at <= out_words; at++)
+		check_garbage(*state, object, FAKE_USB_GARBAGE_OUT, at);
+	for (uint64_t at = 1; at <= in_words; at += 1 + test_below(&seed, 100))
+		check_garbage(*state, object, FAKE_USB_GARBAGE_IN, at);
+	for (uint64_t n = 0; n < GLOSS_USB_COMPLETION_WORDS; n++)
+		check_garbage(*state, object, FAKE_USB_GARBAGE_IN, in_words - n);
+	ops->memory_free(*state, object);
+}
+
+static void a_wrong_word_to_be_written_is_found(void **state)
+{
+	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_WRITE };
+	uint32_t stream[3 + WORDS / 3] = { 0 };
+	const struct accel_transport_job job = { .stream = stream, .stream_words = 3 + WORDS / 3,
+						 .slot = &slot, .slots = 1 };
+	const uint64_t before = GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS + 3;
+	uint64_t seed = test_seed();
+	struct gloss_status status;
+
+	gloss_write_memory_pack(stream, &(struct gloss_write_memory){ .slot = 0 }, 2 + WORDS / 3);
+	slot.object = object_with_words(*state);
+	for (int n = 0; n < 50; n++) {
+		fake_usb_arm(0, FAKE_USB_GARBAGE_OUT,
+			     before + 1 + test_below(&seed, WORDS / 3), 0);
+		assert_int_equal(wait_for(*state, submit(*state, &job), &status), -EIO);
+		run(*state, &job, &status);
+		assert_int_equal(status.cause, GLOSS_FAULT_NONE);
+	}
+	ops->memory_free(*state, slot.object);
 }
 
 static void what_the_protocol_allows_is_no_failure(void **state)
@@ -259,15 +329,19 @@ static void a_board_that_is_lost_is_given_no_time(void **state)
 {
 	static const uint32_t stream[] = { 0xff000000 };
 	const struct accel_transport_job job = { .stream = stream, .stream_words = 1 };
+	static const uint64_t at[] = { 1, GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS };
 	struct gloss_status status;
-	int64_t before = fake_usb_now_ns();
 
-	for (int i = 0; i < 10; i++)
-		run(*state, &job, &status);
-	fake_usb_arm(0, FAKE_USB_GARBAGE_OUT, 1, 0);
-	assert_int_equal(wait_for(*state, submit_empty(*state), &status), -EIO);
-	assert_in_range(fake_usb_now_ns() - before, 0, 1000 * NS_PER_MS);
-	run_empty(*state);
+	for (size_t n = 0; n < sizeof(at) / sizeof(at[0]); n++) {
+		int64_t before = fake_usb_now_ns();
+
+		for (int i = 0; i < 10; i++)
+			run(*state, &job, &status);
+		fake_usb_arm(0, FAKE_USB_GARBAGE_OUT, at[n], 0);
+		assert_int_equal(wait_for(*state, submit_empty(*state), &status), -EIO);
+		assert_in_range(fake_usb_now_ns() - before, 0, 1000 * NS_PER_MS);
+		run_empty(*state);
+	}
 }
 
 static void a_board_that_makes_progress_is_waited_for(void **state)
@@ -422,16 +496,20 @@ static void memory_that_can_not_be_cleared_is_not_used(void **state)
 static void a_job_can_not_end_before_it_is_sent(void **state)
 {
 	const uint32_t words = 2u << 20;
-	uint32_t *stream = calloc(words, 4);
+	uint32_t *stream = calloc(words, 4), forged[GLOSS_USB_COMPLETION_WORDS];
 	const struct accel_transport_job job = { .stream = stream, .stream_words = words };
 	struct gloss_status status;
 	uint64_t sequence;
 
 	fake_usb_hold();
 	sequence = submit(*state, &job);
-	odd.forged[1] = (uint32_t)sequence;
-	odd.forged[2] = words;
-	odd.forged[0] = GLOSS_USB_COMPLETION_MAGIC << 16;
+	gloss_usb_completion_pack(forged, &(struct gloss_usb_completion){
+		.mark = GLOSS_USB_COMPLETION_MAGIC, .sequence = (uint32_t)sequence,
+		.offset = words });
+	forged[GLOSS_USB_COMPLETION_CHECKSUM_WORD] =
+		accel_usb_checksum(0, forged, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
+	for (int i = GLOSS_USB_COMPLETION_WORDS - 1; i >= 0; i--)
+		odd.forged[i] = forged[i];
 	fake_usb_release();
 	assert_int_equal(wait_for(*state, sequence, &status), -EIO);
 	run(*state, &job, &status);
@@ -566,6 +644,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		usb_test(a_job_that_fails_is_told_and_the_next_is_right),
+		usb_test(a_wrong_word_anywhere_is_found),
+		usb_test(a_wrong_word_to_be_written_is_found),
 		usb_test(what_the_protocol_allows_is_no_failure),
 		usb_test(every_job_that_is_outstanding_fails_and_is_forgotten),
 		usb_test(every_thread_that_waits_is_told),

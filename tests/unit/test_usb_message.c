@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The parser of what a board on USB sends, alone: right words in any pieces, and wrong ones. */
 #include "accel_test.h"
+#include "usb_checksum.h"
 #include "usb_message.h"
 
 #define JOBS 6
@@ -8,6 +9,7 @@
 #define WORDS_MAX 8192
 #define NONCE 0x1234567u
 #define GUARD 0x5a5a5a5au
+#define CHECKED (GLOSS_USB_COMPLETION_WORDS - 1)	/* words of a completion */
 
 /* A job, and what its answer ought to be. */
 struct job {
@@ -17,19 +19,11 @@ struct job {
 	uint32_t expected[ROOM];
 };
 
-/* What a wrong bit in a word leads to. */
-enum kind {
-	FORM,				/* it is found */
-	DATA,				/* it can not be known: the word is in a chunk */
-	FAULT				/* it may be another fault */
-};
-
 /* All that a board says from a reset on. */
 struct talk {
 	struct job job[JOBS];
 	unsigned int jobs;
 	uint32_t word[WORDS_MAX];
-	enum kind kind[WORDS_MAX];
 	size_t words;
 };
 
@@ -37,19 +31,18 @@ static struct talk talk;
 
 /* ---- making a conversation ---- */
 
-static void say(uint32_t word, enum kind kind)
+static void say(uint32_t word)
 {
 	assert_true(talk.words < WORDS_MAX);
-	talk.kind[talk.words] = kind;
 	talk.word[talk.words++] = word;
 }
 
 static void say_sync(uint32_t nonce)
 {
-	say(GLOSS_USB_SYNC_MAGIC, FORM);
-	say(nonce, FORM);
-	say(~nonce, FORM);
-	say(~GLOSS_USB_SYNC_MAGIC, FORM);
+	say(GLOSS_USB_SYNC_MAGIC);
+	say(nonce);
+	say(~nonce);
+	say(~GLOSS_USB_SYNC_MAGIC);
 }
 
 static void say_response(const struct job *job, uint32_t count)
@@ -60,18 +53,21 @@ static void say_response(const struct job *job, uint32_t count)
 		uint32_t now = count - done < GLOSS_USB_CHUNK_WORDS ? count - done :
 								      GLOSS_USB_CHUNK_WORDS;
 
-		say(GLOSS_USB_RESPONSE_MAGIC << 16 | now, FORM);
+		say(GLOSS_USB_RESPONSE_MAGIC << 16 | now);
 		while (now--)
-			say(job->expected[done++], DATA);
+			say(job->expected[done++]);
 	}
 }
 
 static void say_completion(const struct job *job)
 {
-	say(GLOSS_USB_COMPLETION_MAGIC << 16 | job->status.cause, FAULT);
-	say(job->answer.sequence, FORM);
-	say(job->status.offset, job->status.cause ? FAULT : FORM);
-	say(job->status.response_words, FORM);
+	uint32_t sum = accel_usb_checksum(0, job->expected, job->status.response_words);
+
+	say(GLOSS_USB_COMPLETION_MAGIC << 16 | job->status.cause);
+	say(job->answer.sequence);
+	say(job->status.offset);
+	say(job->status.response_words);
+	say(accel_usb_checksum(sum, talk.word + talk.words - CHECKED, CHECKED));
 }
 
 /* Sizes around a chunk's are likely. */
@@ -260,30 +256,70 @@ static void only_the_whole_sync_with_its_nonce_counts(void **state)
 
 /* ---- tests: what is wrong ---- */
 
-/* Flips a bit of a word, and tells whether all is taken as if it were right. */
-static bool is_taken_with(size_t word, unsigned int bit)
+/* As if all were right. */
+static bool is_taken(void)
 {
 	struct hearing hearing;
 
-	talk.word[word] ^= 1u << bit;
 	hear_start(&hearing);
 	hear(&hearing, talk.word, talk.words);
-	talk.word[word] ^= 1u << bit;
 	return !hearing.garbled && hearing.jobs == talk.jobs;
 }
 
-static void every_wrong_bit_of_a_header_or_completion_is_found(void **state)
+static void every_wrong_bit_of_an_answer_is_found(void **state)
 {
 	uint64_t seed = test_seed();
 
 	(void)state;
 	make_talk(&seed, JOBS);
+	assert_true(is_taken());
 	for (size_t word = 4; word < talk.words; word++)
-		for (unsigned int bit = 0; bit < 32; bit++)
-			if (talk.kind[word] == FORM && is_taken_with(word, bit))
+		for (unsigned int bit = 0; bit < 32; bit++) {
+			talk.word[word] ^= 1u << bit;
+			if (is_taken())
 				fail_msg("bit %u of word %zu", bit, word);
-			else if (talk.kind[word] == DATA && !is_taken_with(word, bit))
-				fail_msg("a bit of the data, word %zu, is not taken", word);
+			talk.word[word] ^= 1u << bit;
+		}
+}
+
+static void swap_with_next(size_t word)
+{
+	uint32_t first = talk.word[word];
+
+	talk.word[word] = talk.word[word + 1];
+	talk.word[word + 1] = first;
+}
+
+static void words_in_another_order_are_found(void **state)
+{
+	uint64_t seed = test_seed();
+
+	(void)state;
+	make_talk(&seed, JOBS);
+	for (size_t word = 4; word + 1 < talk.words; word++) {
+		if (talk.word[word] == talk.word[word + 1])
+			continue;
+		swap_with_next(word);
+		if (is_taken())
+			fail_msg("word %zu and the next one", word);
+		swap_with_next(word);
+	}
+}
+
+static void every_other_checksum_is_wrong(void **state)
+{
+	uint64_t seed = test_seed();
+	uint32_t right;
+
+	(void)state;
+	for (int round = 0; round < 1000; round++) {
+		make_talk(&seed, 1);
+		right = talk.word[talk.words - 1];
+		talk.word[talk.words - 1] = (uint32_t)test_random(&seed);
+		assert_int_equal(is_taken(), talk.word[talk.words - 1] == right);
+		talk.word[talk.words - 1] = right;
+		assert_true(is_taken());
+	}
 }
 
 /* Says it to a parser that expects a job with room for 300 words and a stream of 50. */
@@ -308,11 +344,17 @@ static bool is_garbled(const uint32_t *words, size_t count)
 #define RESPONSE(count) (GLOSS_USB_RESPONSE_MAGIC << 16 | (count))
 #define COMPLETION(cause) (GLOSS_USB_COMPLETION_MAGIC << 16 | (cause))
 
+/* A completion at the end of the words, all before which are zero or headers. */
+static void seal(uint32_t *words, size_t count)
+{
+	words[count] = accel_usb_checksum(0, words + count - CHECKED, CHECKED);
+}
+
 static void every_wrong_field_is_found(void **state)
 {
-	static const struct {
+	static struct {
 		const char *what;
-		uint32_t word[8];
+		uint32_t word[8];	/* and the right checksum of a whole completion */
 		size_t words;
 		bool garbled;
 	} table[] = {
@@ -340,9 +382,12 @@ static void every_wrong_field_is_found(void **state)
 	};
 
 	(void)state;
-	for (size_t n = 0; n < sizeof(table) / sizeof(table[0]); n++)
+	for (size_t n = 0; n < sizeof(table) / sizeof(table[0]); n++) {
+		if (table[n].words >= CHECKED)
+			seal(table[n].word, table[n].words++);
 		if (is_garbled(table[n].word, table[n].words) != table[n].garbled)
 			fail_msg("%s", table[n].what);
+	}
 }
 
 static void a_response_never_gets_more_than_its_room(void **state)
@@ -449,7 +494,9 @@ int main(void)
 		cmocka_unit_test(words_may_come_one_by_one_or_in_any_pieces),
 		cmocka_unit_test(what_is_before_the_sync_is_dropped),
 		cmocka_unit_test(only_the_whole_sync_with_its_nonce_counts),
-		cmocka_unit_test(every_wrong_bit_of_a_header_or_completion_is_found),
+		cmocka_unit_test(every_wrong_bit_of_an_answer_is_found),
+		cmocka_unit_test(words_in_another_order_are_found),
+		cmocka_unit_test(every_other_checksum_is_wrong),
 		cmocka_unit_test(every_wrong_field_is_found),
 		cmocka_unit_test(a_response_never_gets_more_than_its_room),
 		cmocka_unit_test(words_without_a_job_are_garbled),

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "gloss_packets.h"
+#include "usb_checksum.h"
 #include "vboard_peer.h"
 #include "vboard_usb.h"
 
@@ -133,7 +134,8 @@ static void synchronise(void)
 static uint64_t submit_job(uint32_t sequence, const uint32_t *stream, uint32_t count,
 			   uint32_t response_words)
 {
-	static uint32_t words[GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS + 200000];
+	static uint32_t words[GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS + 200000 +
+			      GLOSS_USB_JOB_END_WORDS];
 	const uint32_t head = GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS;
 	const struct gloss_usb_job job = {
 		.slots = 1,
@@ -151,7 +153,10 @@ static uint64_t submit_job(uint32_t sequence, const uint32_t *stream, uint32_t c
 	gloss_slot_entry_pack(words + GLOSS_USB_JOB_WORDS, &slot);
 	if (count)
 		memcpy(words + head, stream, 4 * (size_t)count);
-	return peer_submit(&peer, GLOSS_USB_ENDPOINT_OUT, words, 4 * (head + count));
+	words[head + count] = accel_usb_checksum(0, words + GLOSS_USB_JOB_STREAM_WORDS_WORD,
+						 head + count - GLOSS_USB_JOB_STREAM_WORDS_WORD);
+	return peer_submit(&peer, GLOSS_USB_ENDPOINT_OUT, words,
+			   4 * (head + count + GLOSS_USB_JOB_END_WORDS));
 }
 
 static void run_job(uint32_t sequence)

@@ -434,11 +434,13 @@ static void a_lost_transfer_ends_well(void **state)
 	assert_int_equal(expect(in(PACKET), VBOARD_USB_DONE, 8)->word[1], BURST_END);
 }
 
+#define ANSWER_BYTES 32
+
 /* A chunk of two words, and a completion behind it, whose number is @number. */
 static uint64_t out_answer(uint32_t number)
 {
 	const uint32_t words[] = { GLOSS_USB_RESPONSE_MAGIC << 16 | 2, COMPLETION, 1,
-				   COMPLETION, number, 0, BURST_END };
+				   COMPLETION, number, 0, 2, BURST_END };
 
 	return out(words, sizeof(words));
 }
@@ -447,9 +449,9 @@ static void a_completion_that_hangs_stays_until_the_reset(void **state)
 {
 	(void)state;
 	arm(VBOARD_USB_FAULT_HANG, 2);
-	expect(out_answer(1), VBOARD_USB_DONE, 28);
-	expect(in(PACKET), VBOARD_USB_DONE, 28);
-	expect(out_answer(2), VBOARD_USB_DONE, 28);
+	expect(out_answer(1), VBOARD_USB_DONE, ANSWER_BYTES);
+	expect(in(PACKET), VBOARD_USB_DONE, ANSWER_BYTES);
+	expect(out_answer(2), VBOARD_USB_DONE, ANSWER_BYTES);
 	expect(in(12), VBOARD_USB_DONE, 12);
 	in(PACKET);
 	expect_nothing();
@@ -459,7 +461,7 @@ static void a_completion_that_hangs_stays_until_the_reset(void **state)
 	expect_nothing();
 	out_answer(3);
 	work();
-	assert_int_equal(ended[ended_count - 1].bytes, 28);
+	assert_int_equal(ended[ended_count - 1].bytes, ANSWER_BYTES);
 	assert_int_equal(ended[ended_count - 1].word[4], 3);
 	assert_int_equal(vboard_usb_faults_window_read(&faults, VBOARD_USB_FAULT_JOBS), 2);
 }
@@ -468,26 +470,26 @@ static void what_came_before_a_hang_is_there_after_the_reset(void **state)
 {
 	(void)state;
 	arm(VBOARD_USB_FAULT_HANG, 1);
-	expect(out_answer(1), VBOARD_USB_DONE, 28);
+	expect(out_answer(1), VBOARD_USB_DONE, ANSWER_BYTES);
 	in(PACKET);
 	expect_nothing();
 	vboard_usb_bridge_write(&bridge, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
 	out_answer(2);
 	work();
-	assert_int_equal(ended[ended_count - 1].bytes, 12 + 28);
+	assert_int_equal(ended[ended_count - 1].bytes, 12 + ANSWER_BYTES);
 }
 
 static void a_hang_that_is_disarmed_ends(void **state)
 {
 	(void)state;
 	arm(VBOARD_USB_FAULT_HANG, 1);
-	expect(out_answer(1), VBOARD_USB_DONE, 28);
+	expect(out_answer(1), VBOARD_USB_DONE, ANSWER_BYTES);
 	in(PACKET);
 	expect_nothing();
 	arm(VBOARD_USB_FAULT_HANG, 0);
 	work();
 	assert_int_equal(ended_count, 2);
-	assert_int_equal(ended[1].bytes, 28);
+	assert_int_equal(ended[1].bytes, ANSWER_BYTES);
 	assert_int_equal(vboard_usb_faults_window_read(&faults, VBOARD_USB_FAULT_JOBS), 1);
 }
 
@@ -499,8 +501,8 @@ static void messages_begin_anew_after_a_reset(void **state)
 	expect(out(torn, sizeof(torn)), VBOARD_USB_DONE, sizeof(torn));
 	expect(in(sizeof(torn)), VBOARD_USB_DONE, sizeof(torn));
 	vboard_usb_bridge_write(&bridge, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
-	expect(out_answer(1), VBOARD_USB_DONE, 28);
-	expect(in(PACKET), VBOARD_USB_DONE, 28);
+	expect(out_answer(1), VBOARD_USB_DONE, ANSWER_BYTES);
+	expect(in(PACKET), VBOARD_USB_DONE, ANSWER_BYTES);
 	assert_int_equal(vboard_usb_faults_window_read(&faults, VBOARD_USB_FAULT_JOBS), 1);
 }
 
@@ -510,7 +512,7 @@ static void a_delayed_completion_leaves_when_it_is_due(void **state)
 
 	(void)state;
 	arm(VBOARD_USB_FAULT_DELAY, 20000);
-	expect(out_answer(1), VBOARD_USB_DONE, 28);
+	expect(out_answer(1), VBOARD_USB_DONE, ANSWER_BYTES);
 	in(PACKET);
 	expect_nothing();
 	due = vboard_usb_faults_due(&faults);
@@ -518,7 +520,7 @@ static void a_delayed_completion_leaves_when_it_is_due(void **state)
 	while (vboard_now() < due)
 		usleep(1000);
 	work();
-	assert_int_equal(ended[1].bytes, 28);
+	assert_int_equal(ended[1].bytes, ANSWER_BYTES);
 	assert_int_equal(vboard_usb_faults_due(&faults), UINT64_MAX);
 }
 

@@ -6,6 +6,7 @@
 
 #include "accel_test.h"
 #include "fake_usb.h"
+#include "usb_checksum.h"
 
 #define NONCE 0x1234567
 #define TRANSFER_BYTES 4096
@@ -112,7 +113,9 @@ static void host_run(struct host *host, uint32_t value, uint32_t count)
 		.stream_words = (uint32_t)(words - 8), .response_words = count });
 	gloss_slot_entry_pack(stream + 4, &(struct gloss_slot_entry){
 		.base = 4096, .size = 4096, .rights = GLOSS_RIGHTS_READ_WRITE });
-	host_send(host, stream, words);
+	stream[words] = accel_usb_checksum(0, stream + GLOSS_USB_JOB_STREAM_WORDS_WORD,
+					   words - GLOSS_USB_JOB_STREAM_WORDS_WORD);
+	host_send(host, stream, words + GLOSS_USB_JOB_END_WORDS);
 	host_receive(host, count + chunks + GLOSS_USB_COMPLETION_WORDS);
 	assert_int_equal(host->in[1], value);
 	assert_int_equal(host->in[count + chunks + 1], 5);

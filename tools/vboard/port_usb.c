@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "usb_checksum.h"
+
 #define REG(port, name) PORT_REG(&(port)->base, name)
 
 /* ---- channels ---- */
@@ -126,6 +128,12 @@ static uint32_t port_synchronise(struct port_usb *port)
 	return 1;
 }
 
+static void port_lose(struct port_usb *port)
+{
+	port->state = PORT_USB_LOST;
+	port_event(port, &(struct gloss_usb_event){ .mark = GLOSS_USB_EVENT_MAGIC, .lost = true });
+}
+
 static uint32_t port_begin_head(struct port_usb *port)
 {
 	const uint32_t reserved = ~(GLOSS_USB_JOB_SLOTS | GLOSS_USB_JOB_MARK);
@@ -137,13 +145,10 @@ static uint32_t port_begin_head(struct port_usb *port)
 	port->head_count = 1;
 	gloss_usb_job_unpack(port->head, &job);
 	if (job.mark == GLOSS_USB_JOB_MAGIC && !(port->head[0] & reserved) &&
-	    job.slots <= GLOSS_SLOTS) {
+	    job.slots <= GLOSS_SLOTS)
 		port->state = PORT_USB_HEAD;
-	} else {
-		port->state = PORT_USB_LOST;
-		port_event(port, &(struct gloss_usb_event){ .mark = GLOSS_USB_EVENT_MAGIC,
-							    .lost = true });
-	}
+	else
+		port_lose(port);
 	return 1;
 }
 
@@ -164,6 +169,7 @@ static void port_begin(struct port_usb *port)
 	port->stream_left = head.stream_words;
 	port->answer_count = 0;
 	port->chunk_count = 0;
+	port->in_checksum = 0;
 	port->refused = !port_base_begin(&port->base, &job);
 	port->state = PORT_USB_RUNNING;
 }
@@ -176,8 +182,12 @@ static uint32_t port_head(struct port_usb *port)
 
 	moved = fifo_pop_many(&port->out, port->head + port->head_count, words - port->head_count);
 	port->head_count += moved;
-	if (port->head_count == words)
+	if (port->head_count == words) {
+		port->out_checksum = accel_usb_checksum(0, port->head +
+							GLOSS_USB_JOB_STREAM_WORDS_WORD,
+							words - GLOSS_USB_JOB_STREAM_WORDS_WORD);
 		port_begin(port);
+	}
 	return moved;
 }
 
@@ -192,6 +202,9 @@ static bool port_send_chunk(struct port_usb *port)
 	});
 	if (!port_send(port, port->chunk, GLOSS_USB_RESPONSE_WORDS + port->chunk_count, false))
 		return false;
+	port->in_checksum = accel_usb_checksum(port->in_checksum,
+					       port->chunk + GLOSS_USB_RESPONSE_WORDS,
+					       port->chunk_count);
 	port->chunk_count = 0;
 	return true;
 }
@@ -217,13 +230,15 @@ static uint32_t port_answer(struct port_usb *port)
 static uint32_t port_fill(struct port_usb *port)
 {
 	struct port_base *base = &port->base;
-	uint32_t most = 2 * PORT_WINDOW_WORDS - base->window_count, moved;
+	uint32_t most = 2 * PORT_WINDOW_WORDS - base->window_count, moved, *words;
 
 	if (most > port->stream_left)
 		most = port->stream_left;
 	if (most > port->out.count)
 		most = port->out.count;
-	moved = fifo_pop_many(&port->out, port_base_room(base, most), most);
+	words = port_base_room(base, most);
+	moved = fifo_pop_many(&port->out, words, most);
+	port->out_checksum = accel_usb_checksum(port->out_checksum, words, moved);
 	if (!port->refused)
 		base->window_count += moved;
 	port->stream_left -= moved;
@@ -256,10 +271,21 @@ static uint32_t port_run(struct port_usb *port)
 	} else if (!port->stream_left) {
 		if (!port->refused)
 			port->base.engine.end(port->base.engine.data, &port->base.status);
-		port->state = PORT_USB_ENDING;
+		port->state = PORT_USB_CHECKING;
 		moved++;
 	}
 	return moved;
+}
+
+static uint32_t port_check(struct port_usb *port)
+{
+	if (!port->out.count)
+		return 0;
+	if (fifo_pop(&port->out) == port->out_checksum)
+		port->state = PORT_USB_ENDING;
+	else
+		port_lose(port);
+	return 1;
 }
 
 static uint32_t port_end(struct port_usb *port)
@@ -276,6 +302,8 @@ static uint32_t port_end(struct port_usb *port)
 		.offset = status->offset,
 		.response_words = status->response_words,
 	});
+	words[GLOSS_USB_COMPLETION_CHECKSUM_WORD] =
+		accel_usb_checksum(port->in_checksum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
 	if (!port_send(port, words, GLOSS_USB_COMPLETION_WORDS, true))
 		return 0;
 	port_base_count(&port->base);
@@ -302,6 +330,7 @@ bool port_usb_work(struct port_usb *port)
 		[PORT_USB_READY] = port_begin_head,
 		[PORT_USB_HEAD] = port_head,
 		[PORT_USB_RUNNING] = port_run,
+		[PORT_USB_CHECKING] = port_check,
 		[PORT_USB_ENDING] = port_end,
 		[PORT_USB_LOST] = port_drop,
 	};
@@ -325,6 +354,7 @@ static uint32_t port_status(const struct port_usb *port)
 	case PORT_USB_HEAD:
 		return 0;
 	case PORT_USB_RUNNING:
+	case PORT_USB_CHECKING:
 	case PORT_USB_ENDING:
 		return GLOSS_REG_STATUS_RUNNING;
 	case PORT_USB_LOST:

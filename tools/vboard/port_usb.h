@@ -17,6 +17,7 @@ enum port_usb_state {
 	PORT_USB_READY,			/* a job begins with it */
 	PORT_USB_HEAD,			/* it is of the job's head or slots */
 	PORT_USB_RUNNING,
+	PORT_USB_CHECKING,		/* it is the job's checksum */
 	PORT_USB_ENDING,		/* not looked at: the job's completion is to be sent */
 	PORT_USB_LOST,
 };
@@ -42,6 +43,7 @@ struct port_usb {
 	uint32_t answer_first, answer_count;	/* words in base.answer that are in no chunk */
 	uint32_t chunk[GLOSS_USB_RESPONSE_WORDS + GLOSS_USB_CHUNK_WORDS];
 	uint32_t chunk_count;		/* words behind its header */
+	uint32_t out_checksum, in_checksum;	/* of what has passed of the job, of its answer */
 
 	uint32_t event[PORT_USB_EVENTS][GLOSS_USB_EVENT_WORDS];
 	uint32_t events;
