@@ -93,9 +93,11 @@ int accel_device_list(accel_device_list_fn found, void *data);
  * "usb:" is the first Gloss board on USB that opens, "usb:1209:0001/SERIAL" the one with
  * these ids and that serial number; "/SERIAL" may be left out, or the ids if they are
  * these. One program at a time has such a board. When the cable fails, jobs that were
- * submitted and had not ended fail with -EIO, the board starts again, what buffers hold
- * stays, and the next job is as ever; when it is unplugged all fail with -ENODEV, for
- * good: plugged in again it is another device to be opened.
+ * submitted and had not ended fail with -EIO, the board starts again, and the next job is
+ * as ever. Buffers hold what they held, but for what those jobs were to write; if words
+ * of a job were garbled, which USB itself hardly ever lets happen, any buffer may be spoilt.
+ * When the board is unplugged all jobs fail with -ENODEV, for good: plugged in again it is
+ * another device to be opened.
  *
  * Options of the others follow the colon, separated by commas:
  *
