@@ -62,6 +62,8 @@ group render and mode 0660 are usual"
 draws_on "$model" "$members" drm:
 chmod 600 "$model"
 view "$members" auto
+grep -q '^device  *Gloss USB board' "$work/out" || fail 'auto without a PCI board is not one on USB'
+view 1000 auto
 grep -q '^device  *C model' "$work/out" || fail 'auto without a board that may be used is not the model'
 
 echo "$failures failures"
