@@ -220,11 +220,14 @@ static struct accel_usb_job *usb_job_new(struct transport_usb *transport,
 		.stream_words = from->stream_words,
 		.response_words = from->response_words,
 	};
+	size_t words = GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS;
 	struct accel_usb_job *job;
 
-	job = accel_usb_job_new(transport->link,
-				GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS + from->stream_words +
-				(size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS);
+	words += (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS;
+	if (from->stream_words > SIZE_MAX / sizeof(uint32_t) - words)
+		return NULL;
+	words += from->stream_words;
+	job = accel_usb_job_new(transport->link, words);
 	if (!job)
 		return NULL;
 	gloss_usb_job_pack(job->message->word, &head);
