@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "engine.h"
-
-#define NS_PER_S 1000000000
-
-/* A longer wait is one for ever; the sum with the present still fits any time_t. */
-#define WAIT_MAX_S 1000000000
+#include "thread.h"
 
 struct accel_engine_job {
 	struct accel_engine_job *next;
@@ -52,30 +46,6 @@ static void *engine_thread(void *argument)
 	return NULL;
 }
 
-/* Signals are for the program's own threads. */
-static int engine_start(struct accel_engine *engine)
-{
-	sigset_t all, old;
-	int err;
-
-	sigfillset(&all);
-	pthread_sigmask(SIG_SETMASK, &all, &old);
-	err = pthread_create(&engine->thread, NULL, engine_thread, engine);
-	pthread_sigmask(SIG_SETMASK, &old, NULL);
-	return err ? -ENOMEM : 0;
-}
-
-/* Waits are against a clock that nobody sets. */
-static void engine_init_ended(struct accel_engine *engine)
-{
-	pthread_condattr_t attributes;
-
-	pthread_condattr_init(&attributes);
-	pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-	pthread_cond_init(&engine->ended, &attributes);
-	pthread_condattr_destroy(&attributes);
-}
-
 static void engine_destroy_locks(struct accel_engine *engine)
 {
 	pthread_cond_destroy(&engine->ended);
@@ -98,8 +68,8 @@ int accel_engine_init(struct accel_engine *engine, uint64_t memory_size, accel_e
 	engine->last = &engine->first;
 	pthread_mutex_init(&engine->lock, NULL);
 	pthread_cond_init(&engine->submitted, NULL);
-	engine_init_ended(engine);
-	if (engine_start(engine))
+	accel_thread_condition_init(&engine->ended);
+	if (accel_thread_new(&engine->thread, engine_thread, engine))
 		goto err_unmap;
 	return 0;
 
@@ -229,20 +199,6 @@ err_free:
 	return err;
 }
 
-static struct timespec engine_deadline(int64_t timeout_ns)
-{
-	struct timespec at;
-
-	clock_gettime(CLOCK_MONOTONIC, &at);
-	at.tv_sec += (time_t)(timeout_ns / NS_PER_S);
-	at.tv_nsec += (long)(timeout_ns % NS_PER_S);
-	if (at.tv_nsec >= NS_PER_S) {
-		at.tv_nsec -= NS_PER_S;
-		at.tv_sec++;
-	}
-	return at;
-}
-
 /* The link to the job, or NULL. Called with the lock held. */
 static struct accel_engine_job **engine_find(struct accel_engine *engine, uint64_t sequence)
 {
@@ -252,24 +208,6 @@ static struct accel_engine_job **engine_find(struct accel_engine *engine, uint64
 		if ((*link)->sequence == sequence)
 			return link;
 	return NULL;
-}
-
-/* Called with the lock held, which it gives up while it sleeps. */
-static int engine_sleep(struct accel_engine *engine, const struct accel_engine_job *job,
-			int64_t timeout_ns)
-{
-	struct timespec deadline;
-
-	if (timeout_ns < 0 || timeout_ns / NS_PER_S > WAIT_MAX_S) {
-		while (!job->ended)
-			pthread_cond_wait(&engine->ended, &engine->lock);
-		return 0;
-	}
-	deadline = engine_deadline(timeout_ns);
-	while (!job->ended)
-		if (pthread_cond_timedwait(&engine->ended, &engine->lock, &deadline) == ETIMEDOUT)
-			return job->ended ? 0 : -ETIMEDOUT;
-	return 0;
 }
 
 /* Takes an ended job off the list. Called with the lock held. */
@@ -293,7 +231,8 @@ int accel_engine_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 
 	pthread_mutex_lock(&engine->lock);
 	link = engine_find(engine, sequence);
-	err = link ? engine_sleep(engine, *link, timeout_ns) : -EINVAL;
+	err = link ? accel_thread_wait(&engine->ended, &engine->lock, &(*link)->ended,
+				     timeout_ns) : -EINVAL;
 	job = err ? NULL : engine_take(engine, sequence);
 	pthread_mutex_unlock(&engine->lock);
 	if (!job)

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 /* Jobs of a link, and its thread. */
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <time.h>
 
 #include "gloss_regs.h"
+#include "thread.h"
 #include "usb_link_priv.h"
 
 #define MS_PER_S 1000
-#define NS_PER_S 1000000000
 #define NS_PER_MS 1000000
-
-/* A longer wait is one for ever; the sum with the present still fits any time_t. */
-#define WAIT_MAX_S 1000000000
 
 /* With as much in memory to be sent, a further job waits: more would not be sent any sooner. */
 #define QUEUED_MAX (4u << 20)
@@ -158,33 +154,14 @@ static void *link_thread(void *argument)
 	return NULL;
 }
 
-/* Signals are for the program's own threads. */
-static int link_start(struct accel_usb_link *link)
-{
-	sigset_t all, old;
-	int err;
-
-	sigfillset(&all);
-	pthread_sigmask(SIG_SETMASK, &all, &old);
-	err = pthread_create(&link->thread, NULL, link_thread, link);
-	pthread_sigmask(SIG_SETMASK, &old, NULL);
-	return err ? -ENOMEM : 0;
-}
-
 /* ---- life ---- */
 
-/* Waits are against a clock that nobody sets. */
 static void link_init_locks(struct accel_usb_link *link)
 {
-	pthread_condattr_t attributes;
-
 	pthread_mutex_init(&link->lock, NULL);
 	pthread_cond_init(&link->room, NULL);
+	accel_thread_condition_init(&link->ended);
 	accel_usb_pool_init(&link->pool);
-	pthread_condattr_init(&attributes);
-	pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-	pthread_cond_init(&link->ended, &attributes);
-	pthread_condattr_destroy(&attributes);
 }
 
 static void link_destroy(struct accel_usb_link *link)
@@ -213,7 +190,7 @@ int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **out)
 	if (err)
 		goto err_destroy;
 	link_begin(link);
-	err = link_start(link);
+	err = accel_thread_new(&link->thread, link_thread, link);
 	if (err)
 		goto err_drain;
 	*out = link;
@@ -301,24 +278,11 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 
 /* ---- waiting ---- */
 
-static struct timespec link_deadline(int64_t timeout_ns)
-{
-	struct timespec at;
-
-	clock_gettime(CLOCK_MONOTONIC, &at);
-	at.tv_sec += (time_t)(timeout_ns / NS_PER_S);
-	at.tv_nsec += (long)(timeout_ns % NS_PER_S);
-	if (at.tv_nsec >= NS_PER_S) {
-		at.tv_nsec -= NS_PER_S;
-		at.tv_sec++;
-	}
-	return at;
-}
-
 int64_t accel_usb_link_now_ms(void)
 {
-	struct timespec now = link_deadline(0);
+	struct timespec now;
 
+	clock_gettime(CLOCK_MONOTONIC, &now);
 	return now.tv_sec * (int64_t)MS_PER_S + now.tv_nsec / NS_PER_MS;
 }
 
@@ -331,24 +295,6 @@ static struct accel_usb_job **link_find(struct accel_usb_link *link, uint64_t se
 		if ((*at)->sequence == sequence)
 			return at;
 	return NULL;
-}
-
-/* With the lock held, which it gives up while it sleeps. */
-static int link_sleep(struct accel_usb_link *link, const struct accel_usb_job *job,
-		      int64_t timeout_ns)
-{
-	struct timespec deadline;
-
-	if (timeout_ns < 0 || timeout_ns / NS_PER_S > WAIT_MAX_S) {
-		while (!job->ended)
-			pthread_cond_wait(&link->ended, &link->lock);
-		return 0;
-	}
-	deadline = link_deadline(timeout_ns);
-	while (!job->ended)
-		if (pthread_cond_timedwait(&link->ended, &link->lock, &deadline) == ETIMEDOUT)
-			return job->ended ? 0 : -ETIMEDOUT;
-	return 0;
 }
 
 /* Takes an ended job off the list. With the lock held. */
@@ -371,7 +317,8 @@ int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t 
 
 	pthread_mutex_lock(&link->lock);
 	at = link_find(link, sequence);
-	err = at ? link_sleep(link, *at, timeout_ns) : -EINVAL;
+	err = at ? accel_thread_wait(&link->ended, &link->lock, &(*at)->ended, timeout_ns) :
+		   -EINVAL;
 	if (!err)
 		job = link_take(link, sequence);
 	pthread_mutex_unlock(&link->lock);
