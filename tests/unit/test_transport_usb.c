@@ -5,88 +5,9 @@
 
 #include "usb_test.h"
 
-#define PAGE_WORDS 1024u
 #define QUEUED_MAX (4u << 20)
 
 /* ---- what a job is ---- */
-
-/* Writes @count words in one job and reads them in another; NOPs make the streams odd. */
-static void copy_words(void *state, uint64_t object, uint64_t *seed, uint32_t count)
-{
-	const struct accel_transport_slot slot = { object, GLOSS_RIGHTS_READ_WRITE };
-	struct gloss_write_memory write = { .slot = 0 };
-	uint32_t nops = test_below(seed, 2000), stream[2000 + 3 + PAGE_WORDS] = { 0 };
-	uint32_t response[PAGE_WORDS + 8], *data = stream + nops + 3;
-	struct accel_transport_job job = { .stream = stream, .slot = &slot, .slots = 1 };
-	struct gloss_status status;
-
-	gloss_write_memory_pack(stream + nops, &write, 2 + count);
-	for (uint32_t i = 0; i < count; i++)
-		data[i] = (uint32_t)test_random(seed);
-	job.stream_words = nops + 3 + count;
-	run(state, &job, &status);
-	assert_int_equal(status.cause, GLOSS_FAULT_NONE);
-	assert_int_equal(status.offset, job.stream_words);
-
-	memset(response, 0x5a, sizeof(response));
-	packet_read(stream, 0, 0, count);
-	job.stream_words = 3;
-	job.response = response;
-	job.response_words = count + test_below(seed, 5);
-	run(state, &job, &status);
-	assert_int_equal(status.response_words, count);
-	assert_memory_equal(response, data, 4 * count);
-	for (uint32_t i = count; i < PAGE_WORDS + 8; i++)
-		assert_int_equal(response[i], 0x5a5a5a5a);
-}
-
-static void words_of_any_count_arrive(void **state)
-{
-	static const uint32_t counts[] = { 1, 2, 255, 256, 257, 511, 512, 513, 1019, 1020 };
-	uint64_t object, seed = test_seed();
-
-	assert_int_equal(ops->memory_new(*state, 4 * PAGE_WORDS, &object), 0);
-	for (size_t i = 0; i < sizeof(counts) / sizeof(counts[0]); i++)
-		copy_words(*state, object, &seed, counts[i]);
-	for (int i = 0; i < 40; i++)
-		copy_words(*state, object, &seed, 1 + test_below(&seed, 1020));
-	ops->memory_free(*state, object);
-}
-
-static enum gloss_fault access_at(void *state, const struct accel_transport_slot *slot,
-				  uint32_t offset, bool write)
-{
-	uint32_t stream[4], response;
-	const struct accel_transport_job job = {
-		.stream = stream,
-		.stream_words = (uint32_t)(write ? packet_write(stream, 0, offset, 7) :
-						   packet_read(stream, 0, offset, 1)),
-		.response = &response, .response_words = 1,
-		.slot = slot, .slots = 1,
-	};
-	struct gloss_status status;
-
-	run(state, &job, &status);
-	return status.cause;
-}
-
-static void a_slot_is_as_large_as_was_asked_for_and_has_its_rights(void **state)
-{
-	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ };
-	static const enum gloss_fault none = GLOSS_FAULT_NONE, fault = GLOSS_FAULT_SLOT;
-
-	assert_int_equal(ops->memory_new(*state, 12, &slot.object), 0);
-	assert_int_equal(access_at(*state, &slot, 8, false), none);
-	assert_int_equal(access_at(*state, &slot, 12, false), fault);
-	assert_int_equal(access_at(*state, &slot, 8, true), fault);
-	slot.rights = GLOSS_RIGHTS_WRITE;
-	assert_int_equal(access_at(*state, &slot, 8, false), fault);
-	assert_int_equal(access_at(*state, &slot, 8, true), none);
-	slot.rights = GLOSS_RIGHTS_NONE;
-	assert_int_equal(access_at(*state, &slot, 8, false), fault);
-	assert_int_equal(access_at(*state, &slot, 8, true), fault);
-	ops->memory_free(*state, slot.object);
-}
 
 static void a_fault_is_no_error_of_wait(void **state)
 {
