@@ -29,7 +29,8 @@ $(PAIR_OBJ) $(PORT_TEST_OBJS): $(BUILD)/%.o: %.c
 
 -include $(PAIR_OBJ:.o=.d) $(PORT_TEST_OBJS:.o=.d)
 
-BOARD_UNIT_TESTS := test_port_pci test_port_usb test_board_model test_board_usb_model
+BOARD_UNIT_TESTS := test_port_pci test_port_usb test_port_usb_reset test_board_model \
+	test_board_usb_model
 
 $(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c \
 		$(PORT_TEST_OBJS) $(BOARD_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
