@@ -46,12 +46,18 @@ listed() {
 	grep -qx "$1  *$2" "$work/out" || fail "gloss-info --list: no '$1', '$2'"
 }
 
-# node DEVICE: its node in /dev, by its serial number.
-node() {
+# sysfs DEVICE: what sysfs has of it, by its serial number.
+sysfs() {
 	for file in /sys/bus/usb/devices/*/serial; do
 		[ "$(cat "$file")" != "${1##*/}" ] || break
 	done
-	printf '/dev/bus/usb/%03d/%03d' "$(cat "${file%/*}/busnum")" "$(cat "${file%/*}/devnum")"
+	echo "${file%/*}"
+}
+
+# node DEVICE: its node in /dev.
+node() {
+	device=$(sysfs "$1")
+	printf '/dev/bus/usb/%03d/%03d' "$(cat "$device/busnum")" "$(cat "$device/devnum")"
 }
 
 rtl=$GLOSS_USB_RTL model=$GLOSS_USB_MODEL
@@ -86,9 +92,11 @@ chmod 660 "$model_node"
 
 SDL_VIDEODRIVER=dummy "$GLOSS_BUILD/gloss-view" --device "$model" --size 64x64 --window sphere:1 &
 holder=$!
-for _ in $(seq 100); do
-	as_user "$group" gloss-info --device "$model"
-	[ "$status" -eq 0 ] || break
+# Claimed, an interface has usbfs for its driver. To try to open it might be to get ahead.
+claimed=$(sysfs "$model"):1.0/driver
+for _ in $(seq 600); do
+	[ ! -e "$claimed" ] || break
+	sleep 0.1
 done
 refused "$group" 'can not open device' "$model" "$model is in use by another program"
 listed "$model" 'Gloss USB board .*'
