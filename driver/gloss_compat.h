@@ -51,6 +51,10 @@ static inline int gloss_compat_sched_init(struct drm_gpu_scheduler *sched,
 #if defined(GLOSS_HAVE_SCHED_INIT_ARGS)
 	const struct drm_sched_init_args args = {
 		.ops = ops,
+#ifdef GLOSS_HAVE_SCHED_INIT_ARGS_NUM_RQS
+		/* Zero compiles, and makes a scheduler without a queue for any priority. */
+		.num_rqs = DRM_SCHED_PRIORITY_COUNT,
+#endif
 		.credit_limit = ahead,
 		.timeout = timeout,
 		.timeout_wq = wq,
@@ -85,10 +89,14 @@ static inline void gloss_compat_sched_calm(struct drm_gpu_scheduler *sched)
 #endif
 }
 
+/* @client is what the scheduler's tracepoints call the job's file, where they have a word for it. */
 static inline int gloss_compat_sched_job_init(struct drm_sched_job *job,
-					      struct drm_sched_entity *entity, void *owner)
+					      struct drm_sched_entity *entity, void *owner,
+					      u64 client)
 {
-#ifdef GLOSS_HAVE_SCHED_JOB_CREDITS
+#if defined(GLOSS_HAVE_SCHED_JOB_CLIENT)
+	return drm_sched_job_init(job, entity, 1, owner, client);
+#elif defined(GLOSS_HAVE_SCHED_JOB_CREDITS)
 	return drm_sched_job_init(job, entity, 1, owner);
 #else
 	return drm_sched_job_init(job, entity, owner);

@@ -46,7 +46,7 @@ struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *fi
 	if (!job->fence)
 		goto free_job;
 
-	ret = gloss_compat_sched_job_init(&job->base, entity, file);
+	ret = gloss_compat_sched_job_init(&job->base, entity, file, gloss_file_client(file));
 	if (ret)
 		goto free_fence;
 
