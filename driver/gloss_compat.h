@@ -89,7 +89,7 @@ static inline void gloss_compat_sched_calm(struct drm_gpu_scheduler *sched)
 #endif
 }
 
-/* @client is what the scheduler's tracepoints call the job's file, where they have a word for it. */
+/* @client is what the scheduler's tracepoints call the job's file, where they name it. */
 static inline int gloss_compat_sched_job_init(struct drm_sched_job *job,
 					      struct drm_sched_entity *entity, void *owner,
 					      u64 client)
