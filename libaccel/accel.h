@@ -228,14 +228,17 @@ void accel_state_free(struct accel_state *state);
  * accel_draw_mesh. An enum's value is one of its list.
  */
 
-/* Model to eye, eye to clip. */
+/* Model to eye, eye to clip. With a number that is not finite in one of them, accel_draw_mesh
+ * refuses every mesh that has a vertex. */
 void accel_state_set_modelview(struct accel_state *state, const float matrix[16]);
 void accel_state_set_projection(struct accel_state *state, const float matrix[16]);
-/* Window rectangle in pixels (top left, size); width < 0 is the whole target, the default. */
+/* Window rectangle in pixels (top left, size); width < 0 is the whole target, the default. It may
+ * be anywhere, in the target or not; with a width or height of 0, or height < 0, nothing is drawn. */
 void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height);
-/* Depth of the near and the far plane, clamped to 0..1; the default is 0, 1. */
+/* Depth of the near and the far plane, clamped to 0..1, NaN to 0; the default is 0, 1. */
 void accel_state_set_depth_range(struct accel_state *state, float near, float far);
-/* Rectangle in pixels from the top left; width < 0 switches it off, the default. */
+/* Rectangle in pixels from the top left; width < 0 switches it off, the default. It may be anywhere;
+ * with a width or height of 0, or height < 0, nothing is drawn. */
 void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height);
 /*
  * What is drawn where its depth compares as @func with the one in the target, and

@@ -53,22 +53,25 @@ static void normal_matrix(double out[9], const float m[16])
 		out[i] = -out[i];
 }
 
-static int at_least(int64_t value, int low)
+static int clamp(int64_t value, int low, int high)
 {
-	return value > low ? (int)value : low;
+	return value < low ? low : value > high ? high : (int)value;
 }
 
-static int at_most(int64_t value, int high)
+/* What of @low to @high is from @start on for @size; a negative size has nothing. */
+static void intersect_range(int *low, int *high, int start, int size)
 {
-	return value < high ? (int)value : high;
+	int first = clamp(start, *low, *high);
+
+	*high = clamp((int64_t)start + (size > 0 ? size : 0), first, *high);
+	*low = first;
 }
 
+/* Whatever the numbers, the corners stay where the rectangle was, and in order. */
 static void intersect(struct accel_rectangle *rectangle, int x, int y, int width, int height)
 {
-	rectangle->x0 = at_least(x, rectangle->x0);
-	rectangle->y0 = at_least(y, rectangle->y0);
-	rectangle->x1 = at_most((int64_t)x + width, rectangle->x1);
-	rectangle->y1 = at_most((int64_t)y + height, rectangle->y1);
+	intersect_range(&rectangle->x0, &rectangle->x1, x, width);
+	intersect_range(&rectangle->y0, &rectangle->y1, y, height);
 }
 
 static void window_init(struct accel_window *window, const struct accel_state *state, int width,
@@ -82,7 +85,7 @@ static void window_init(struct accel_window *window, const struct accel_state *s
 		x = state->viewport.x;
 		y = state->viewport.y;
 		w = state->viewport.width;
-		h = state->viewport.height;
+		h = state->viewport.height > 0 ? state->viewport.height : 0;
 		intersect(&window->visible, state->viewport.x, state->viewport.y,
 			  state->viewport.width, state->viewport.height);
 	}

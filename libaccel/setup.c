@@ -181,10 +181,10 @@ bool accel_setup_draws(const struct accel_setup *setup, const struct accel_recta
 	int end = setup->end < visible->y1 ? setup->end : visible->y1;
 	struct accel_row row[LOOK_ROWS];
 
-	if (end - first > LOOK_ROWS)
-		return true;
 	if (end <= first)
 		return false;
+	if (end - first > LOOK_ROWS)
+		return true;
 	accel_setup_rows(setup, first, end, row);
 	for (int i = 0; i < end - first; i++) {
 		int32_t left = row[i].left > visible->x0 ? row[i].left : visible->x0;

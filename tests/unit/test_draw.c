@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The draw calls: what they take, refuse, and put on the target. */
+#include <limits.h>
+
 #include "../../tools/decode.h"
 #include "draw_mesh.h"
 
@@ -384,6 +386,43 @@ static void nothing_is_drawn_beside_the_viewport(void **state)
 	}
 }
 
+/* The mesh reaches far beside the target: what is visible is all that keeps it inside. */
+static void a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target(void **state)
+{
+	static const int end[] = { INT_MIN, INT_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT_MAX - 1, INT_MAX };
+	struct fixture *f = *state;
+	float wide[4][3];
+	struct accel_mesh mesh = square_mesh();
+
+	for (int i = 0; i < 12; i++)
+		wide[i / 3][i % 3] = 9 * square[i / 3][i % 3];
+	mesh.position = wide;
+	for (int n = 0; n < 9 * 9 * 9; n++) {
+		int from = end[n % 9], size = end[n / 9 % 9], across = end[n / 81];
+		int64_t last = (int64_t)from + size;
+		bool all = from <= 0 && size > 0 && last >= SIDE && across >= SIDE;
+
+		accel_state_set_scissor(f->state, 0, from, across < 0 ? 0 : across, size);
+		picture(f, &mesh, pixels);
+		assert_int_equal(pixels[0] == WHITE, from <= 0 && size > 0 && last > 0 && across > 0);
+		if (all)
+			assert_all(WHITE);
+		if (size <= 0 || last <= 0 || from >= SIDE || across <= 0) {
+			assert_all(0);
+			assert_int_equal(stats_of(f).records, 0);
+		}
+	}
+	for (int n = 0; n < 9 * 9 * 9; n++) {
+		accel_state_set_scissor(f->state, 0, 0, -1, -1);
+		accel_state_set_viewport(f->state, end[n % 9], end[n / 9 % 9], SIDE, end[n / 81]);
+		assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+		assert_int_equal(mesh_draw(f, &mesh), 0);
+		assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+		if (end[n / 81] <= 0)
+			assert_int_equal(stats_of(f).culled, 2);
+	}
+}
+
 static void depth_functions_and_masks_are_kept(void **state)
 {
 	struct fixture *f = *state;
@@ -592,9 +631,11 @@ int main(void)
 		TEST(a_mesh_without_normals_is_lit_by_its_planes),
 		TEST(viewport_and_scissor_bound_what_is_drawn),
 		TEST(nothing_is_drawn_beside_the_viewport),
+		TEST(a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target),
 		TEST(depth_functions_and_masks_are_kept),
 		TEST(clear_values_are_rounded),
-		TEST(a_frame_without_a_mesh_is_sent_and_does_nothing),
+		TEST(a_frame_without_anything_is_sent_and_does_nothing),
+		TEST(a_clear_without_a_target_is_not_lost),
 		TEST(counts_are_those_of_the_frame),
 		TEST(a_target_may_go_before_its_frame_is_sent),
 		TEST(free_takes_null),

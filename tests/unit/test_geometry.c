@@ -99,6 +99,31 @@ static void what_is_visible_is_viewport_scissor_and_target_together(void **state
 	assert_true(visible->y0 >= visible->y1);
 }
 
+static void whatever_the_numbers_what_is_visible_is_in_the_target_and_in_order(void **state)
+{
+	static const int end[] = { INT32_MIN, INT32_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT32_MAX - 1,
+				   INT32_MAX };
+	struct fixture *f = *state;
+	const struct accel_rectangle *visible = &f->transform.window.visible;
+	uint64_t seed = test_seed();
+
+	for (int n = 0; n < 20000; n++) {
+		int number[8];
+
+		for (int i = 0; i < 8; i++)
+			number[i] = end[test_below(&seed, 9)];
+		accel_state_set_viewport(f->state, number[0], number[1], number[2], number[3]);
+		accel_state_set_scissor(f->state, number[4], number[5], number[6], number[7]);
+		accel_geometry_init(&f->transform, f->state, SIDE, SIDE);
+		assert_in_range(visible->x0, 0, visible->x1);
+		assert_in_range(visible->x1, 0, SIDE);
+		assert_in_range(visible->y0, 0, visible->y1);
+		assert_in_range(visible->y1, 0, SIDE);
+		if ((number[2] >= 0 && number[3] < 0) || (number[6] >= 0 && number[7] < 0))
+			assert_int_equal(visible->y0, visible->y1);
+	}
+}
+
 static void normals_stay_at_right_angles_under_any_matrix(void **state)
 {
 	struct fixture *f = *state;
@@ -212,6 +237,9 @@ int main(void)
 						setup, teardown),
 		cmocka_unit_test_setup_teardown(
 			what_is_visible_is_viewport_scissor_and_target_together, setup, teardown),
+		cmocka_unit_test_setup_teardown(
+			whatever_the_numbers_what_is_visible_is_in_the_target_and_in_order, setup,
+			teardown),
 		cmocka_unit_test_setup_teardown(normals_stay_at_right_angles_under_any_matrix,
 						setup, teardown),
 		cmocka_unit_test_setup_teardown(a_mirrored_normal_stays_on_its_side_of_the_surface,

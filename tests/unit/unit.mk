@@ -75,7 +75,7 @@ UNIT_TESTS += test_sim_wrapper
 
 # The same tests with the compiler's checks built in, on the simulators of this build.
 SANITIZED_TESTS = $(MODEL_TESTS) $(DRAW_UNIT_TESTS) $(ACCEL_UNIT_TESTS)
-SANITIZED_CFLAGS := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
+SANITIZED_CFLAGS := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all
 SANITIZED_MAKE = $(MAKE) --no-print-directory SIM_DIR=$(SIM_DIR)
 
