@@ -258,8 +258,8 @@ void accel_state_set_lighting(struct accel_state *state, bool enabled);
 void accel_state_set_two_sided(struct accel_state *state, bool enabled);
 /* Highlights seen from each pixel's own direction (true, the default) or from (0,0,1) (false). */
 void accel_state_set_local_viewer(struct accel_state *state, bool enabled);
-/* Light that comes from everywhere. */
-void accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
+/* Light that comes from everywhere. -EINVAL: a value that is not finite. */
+int accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
 /* @back NULL: the same as @front. -EINVAL: shininess outside 0..1000 or a value that is not
  * finite. */
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
@@ -310,7 +310,7 @@ void accel_draw_free(struct accel_draw *draw);
  * Clears the whole target before what is drawn after; forgets what was drawn before if both
  * are cleared. @mask of ACCEL_CLEAR_*; @depth 0 to 1; @rgba may be NULL if colour is not cleared.
  * -EINVAL: none of these. The target is that of accel_draw_mesh, of a mesh without triangles too;
- * a frame without one clears nothing. After -ENOMEM the frame is empty.
+ * a frame that clears and has none can not be submitted. After -ENOMEM the frame is empty.
  */
 int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4],
 		     float depth);
@@ -333,8 +333,9 @@ void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *st
 /*
  * Sends the frame to the board and begins the next. On success *@fence, if @fence
  * is not NULL, is the caller's to wait for and free; with NULL the call waits itself.
- * -EIO the board refused the stream, -ENODEV. If nothing could be sent (-ENOMEM, -ENODEV) the
- * frame is still there; after any other result it is empty.
+ * -EIO the board refused the stream, -ENODEV. -EINVAL: it clears, and no mesh has said what. If
+ * nothing could be sent (-EINVAL, -ENOMEM, -ENODEV) the frame is still there; after any other
+ * result it is empty.
  */
 int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
 

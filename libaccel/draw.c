@@ -60,6 +60,14 @@ static void frame_empty(struct accel_draw *draw)
 	draw->has_target = false;
 }
 
+/* Forgets it, and that it ever began. */
+static void frame_lose(struct accel_draw *draw)
+{
+	frame_empty(draw);
+	draw->stats = (struct accel_draw_stats){ 0 };
+	draw->submitted = false;
+}
+
 void accel_draw_free(struct accel_draw *draw)
 {
 	if (!draw)
@@ -122,7 +130,7 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
 	frame_begin(draw);
 	err = accel_bin_clear(&draw->bin, &clear);
 	if (err)
-		frame_empty(draw);
+		frame_lose(draw);
 	return err;
 }
 
@@ -165,7 +173,7 @@ static int reserve_vertices(struct accel_draw *draw, uint32_t count)
 	return 0;
 }
 
-int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
+static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh)
 {
 	struct accel_pass pass = {
@@ -194,9 +202,16 @@ int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		return err;
 	frame_begin(draw);
 	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
-	err = accel_mesh_draw(&pass);
-	if (err)
-		frame_empty(draw);
+	return accel_mesh_draw(&pass);
+}
+
+int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
+		    const struct accel_state *state, const struct accel_mesh *mesh)
+{
+	int err = mesh_add(draw, target, state, mesh);
+
+	if (err == -ENOMEM)
+		frame_lose(draw);
 	return err;
 }
 
@@ -211,6 +226,11 @@ int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
 	bool sent;
 	int err;
 
+	if (draw->bin.clear.mask && !draw->has_target) {
+		accel_device_message(draw->device, "a frame that clears and has no target: draw a "
+				     "mesh on it, which may have no triangles");
+		return -EINVAL;
+	}
 	frame_begin(draw);
 	err = accel_frame_submit(&draw->bin, draw->stream, &draw->target, ACCEL_JOB_WORDS,
 				 &draw->stats, &fence, &sent);

@@ -144,11 +144,6 @@ void accel_state_set_local_viewer(struct accel_state *state, bool enabled)
 	state->local_viewer = enabled;
 }
 
-void accel_state_set_ambient(struct accel_state *state, const float rgba[4])
-{
-	memcpy(state->ambient, rgba, sizeof(state->ambient));
-}
-
 static bool state_finite(const float *value, int count)
 {
 	int i;
@@ -157,6 +152,14 @@ static bool state_finite(const float *value, int count)
 		if (!isfinite(value[i]))
 			return false;
 	return true;
+}
+
+int accel_state_set_ambient(struct accel_state *state, const float rgba[4])
+{
+	if (!state_finite(rgba, 4))
+		return -EINVAL;
+	memcpy(state->ambient, rgba, sizeof(state->ambient));
+	return 0;
 }
 
 static bool state_material_valid(const struct accel_material *material)
@@ -178,15 +181,15 @@ int accel_state_set_material(struct accel_state *state, const struct accel_mater
 	return 0;
 }
 
-/* A directional light has none. */
+/* Of a directional light it says nothing, and need only be numbers. */
 static bool state_attenuation_valid(const struct accel_light *light)
 {
 	const float *factor = light->attenuation;
 
-	if (light->position[3] == 0)
-		return true;
-	return state_finite(factor, 3) && factor[0] >= 0 && factor[1] >= 0 && factor[2] >= 0 &&
-	       factor[0] + factor[1] + factor[2] > 0;
+	if (!state_finite(factor, 3))
+		return false;
+	return light->position[3] == 0 || (factor[0] >= 0 && factor[1] >= 0 && factor[2] >= 0 &&
+					   (factor[0] > 0 || factor[1] > 0 || factor[2] > 0));
 }
 
 static bool state_spot_valid(const struct accel_light *light)

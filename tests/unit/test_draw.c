@@ -147,6 +147,27 @@ static void a_mesh_that_is_none_is_refused(void **state)
 	assert_int_equal(stats_of(f).triangles_in, 0);
 }
 
+static void a_matrix_that_is_not_finite_draws_no_mesh(void **state)
+{
+	static const float wrong[] = { NAN, INFINITY, -INFINITY };
+	struct accel_mesh mesh = square_mesh();
+	struct fixture *f = *state;
+
+	for (int n = 0; n < 3 * 16; n++) {
+		float matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, old[16];
+
+		memcpy(old, matrix, sizeof(old));
+		matrix[n / 3] = wrong[n % 3];
+		accel_state_set_modelview(f->state, matrix);
+		assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+		accel_state_set_modelview(f->state, old);
+		accel_state_set_projection(f->state, matrix);
+		assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+		accel_state_set_projection(f->state, old);
+	}
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+}
+
 static void a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn(void **state)
 {
 	struct fixture *f = *state;
@@ -475,20 +496,38 @@ static void clear_values_are_rounded(void **state)
 
 /* ---- frames ---- */
 
-static void a_frame_without_a_mesh_is_sent_and_does_nothing(void **state)
+static void a_frame_without_anything_is_sent_and_does_nothing(void **state)
 {
 	struct fixture *f = *state;
 	struct accel_fence *fence = NULL;
 	struct accel_fence_status status;
 
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
 	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
 	assert_non_null(fence);
 	assert_int_equal(accel_fence_wait(fence, -1, &status), 0);
 	assert_int_equal(status.fault, 0);
 	accel_fence_free(fence);
 	assert_int_equal(stats_of(f).tiles, 0);
+}
+
+static void a_clear_without_a_target_is_not_lost(void **state)
+{
+	const float red[4] = { 1, 0, 0, 1 };
+	struct accel_mesh nothing = square_mesh();
+	struct fixture *f = *state;
+	struct accel_fence *fence = NULL;
+
+	nothing.vertices = nothing.indices = 0;
+	assert_int_equal(accel_draw_clear(f->draw, 3, red, 1), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), -EINVAL);
+	assert_message(&f->messages, "no target");
+	assert_int_equal(accel_draw_submit(f->draw, &fence), -EINVAL);
+	assert_null(fence);
+	assert_int_equal(mesh_draw(f, &nothing), 0);
+	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_all(RED);
 }
 
 static void counts_are_those_of_the_frame(void **state)
@@ -582,8 +621,8 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 {
 	struct fixture *f = *state;
 	uint64_t seed = test_seed();
+	int taken = 0, in_frame = 0;
 	uint64_t drawn = 0;
-	int taken = 0;
 
 	for (int n = 0; n < 3000; n++) {
 		float position[12][3], normal[12][3], colour[12][4];
@@ -602,12 +641,15 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 		for (int i = 0; i < 48; i++)
 			colour[i / 4][i % 4] = random_float(&seed);
 		random_state(&seed, f->state);
-		taken += !mesh_draw(f, &mesh);
-		if (test_below(&seed, 3))
+		in_frame += !mesh_draw(f, &mesh);
+		if (in_frame && test_below(&seed, 3))
 			accel_draw_clear(f->draw, 1 + test_below(&seed, 3), black, 0.5f);
-		if (n % 4 == 3)
-			assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+		if (n % 4 != 3)
+			continue;
+		assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
 		drawn += stats_of(f).records;
+		taken += in_frame;
+		in_frame = 0;
 	}
 	print_message("%d of 3000 meshes were taken\n", taken);
 	assert_true(taken > 1000 && drawn > 1000);
@@ -619,6 +661,7 @@ int main(void)
 #define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 		TEST(a_clear_with_a_wrong_argument_is_refused),
 		TEST(a_mesh_that_is_none_is_refused),
+		TEST(a_matrix_that_is_not_finite_draws_no_mesh),
 		TEST(a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn),
 		TEST(a_frame_has_one_target),
 		TEST(a_target_of_another_device_is_refused),

@@ -126,6 +126,53 @@ static void check(const struct fixture *f, long fail)
 	assert_int_equal(blocks, before);
 }
 
+/* Before anything of the mesh is looked at, and when the target's tiles find no room. */
+static void a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame(void **unused)
+{
+	const float grey[4] = { 0.2f, 0.2f, 0.2f, 1 };
+	struct accel_mesh endless;
+	struct accel_draw_stats stats;
+	struct accel_draw *draw;
+	struct fixture f;
+
+	(void)unused;
+	shape_torus(&shape, 24);
+	endless = shape.mesh;
+	endless.vertices = UINT32_MAX;
+	endless.index = NULL;
+	f.device = device_open("model:tile=32", &f.messages);
+	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
+	f.state = state_shiny(60);
+	assert_int_equal(accel_draw_new(f.device, &draw), 0);
+	assert_int_equal(accel_draw_clear(draw, ACCEL_CLEAR_COLOUR, grey, 1), 0);
+	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &shape.mesh), 0);
+	calls = 0;
+	failing = 1;
+	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &endless), -ENOMEM);
+	failing = 0;
+	accel_draw_stats(draw, &stats);
+	assert_int_equal(stats.triangles_in, 0);
+	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	accel_draw_stats(draw, &stats);
+	assert_int_equal(stats.tiles, 0);
+	assert_int_equal(stats.records, 0);
+	accel_draw_free(draw);
+	/* The clear of a frame whose first mesh fails at the tiles is forgotten too. */
+	assert_int_equal(accel_draw_new(f.device, &draw), 0);
+	assert_int_equal(accel_draw_clear(draw, ACCEL_CLEAR_COLOUR, grey, 1), 0);
+	calls = 0;
+	failing = 2;
+	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &shape.mesh), -ENOMEM);
+	failing = 0;
+	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	accel_draw_stats(draw, &stats);
+	assert_int_equal(stats.tiles, 0);
+	accel_draw_free(draw);
+	accel_state_free(f.state);
+	accel_target_free(f.target);
+	accel_device_free(f.device);
+}
+
 static void a_failed_allocation_is_reported_and_leaves_a_draw_that_works(void **unused)
 {
 	struct fixture f;
@@ -156,6 +203,7 @@ static void a_failed_allocation_is_reported_and_leaves_a_draw_that_works(void **
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame),
 		cmocka_unit_test(a_failed_allocation_is_reported_and_leaves_a_draw_that_works),
 	};
 

@@ -72,7 +72,7 @@ static void setters_keep_what_they_are_given(void **state)
 	accel_state_set_lighting(s, true);
 	accel_state_set_two_sided(s, true);
 	accel_state_set_local_viewer(s, false);
-	accel_state_set_ambient(s, rgba);
+	assert_int_equal(accel_state_set_ambient(s, rgba), 0);
 	accel_state_set_shading(s, ACCEL_SHADING_FLAT);
 	assert_float_exact(s->modelview[0], 0);
 	assert_float_exact(s->modelview[15], 15);
@@ -211,6 +211,39 @@ static void a_light_out_of_range_changes_nothing(void **state)
 	assert_int_equal(accel_state_set_light(s, 0, &good), 0);
 }
 
+static void an_ambient_light_that_is_not_finite_changes_nothing(void **state)
+{
+	static const float wrong[] = { NAN, INFINITY, -INFINITY };
+	struct accel_state *s = *state, before = *s;
+
+	for (int n = 0; n < 12; n++) {
+		float rgba[4] = { 0.5f, 0.5f, 0.5f, 1 };
+
+		rgba[n / 3] = wrong[n % 3];
+		assert_int_equal(accel_state_set_ambient(s, rgba), -EINVAL);
+	}
+	assert_memory_equal(s, &before, sizeof(before));
+}
+
+static void a_light_is_finite_whether_its_kind_needs_the_number_or_not(void **state)
+{
+	static const float wrong[] = { NAN, INFINITY, -INFINITY };
+	struct accel_state *s = *state, before = *s;
+
+	for (int n = 0; n < 3; n++) {
+		for (int i = 0; i < 3; i++) {
+			struct accel_light light = { .position = { 0, 0, 1, 0 }, .spot_cutoff = 180 };
+
+			light.attenuation[i] = wrong[n];
+			assert_int_equal(accel_state_set_light(s, 0, &light), -EINVAL);
+			light.attenuation[i] = 0;
+			light.spot_direction[i] = wrong[n];
+			assert_int_equal(accel_state_set_light(s, 0, &light), -EINVAL);
+		}
+	}
+	assert_memory_equal(s, &before, sizeof(before));
+}
+
 static void a_directional_light_needs_no_attenuation(void **state)
 {
 	static const struct accel_light light = { .position = { 0, 0, 1, 0 }, .spot_cutoff = 180 };
@@ -231,6 +264,8 @@ int main(void)
 		state_test(shininess_has_its_range),
 		state_test(a_light_has_an_index),
 		state_test(a_light_out_of_range_changes_nothing),
+		state_test(an_ambient_light_that_is_not_finite_changes_nothing),
+		state_test(a_light_is_finite_whether_its_kind_needs_the_number_or_not),
 		state_test(a_directional_light_needs_no_attenuation),
 	};
 
