@@ -20,8 +20,9 @@ $(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
 VM_MODULES := $(MODULE_BUILD)/test/.built
 VM_MODULE_SOURCES := $(sort $(wildcard tests/vm/modules/*.c)) tests/vm/modules/Kbuild
 
-.PHONY: vm-modules
-vm-modules: $(VM_MODULES)
+.PHONY: vm-test-modules
+vm-test-modules: $(VM_MODULES)
+	@:
 
 $(VM_MODULES): $(VM_MODULE_SOURCES) $(MODULE_BUILD)/kdir
 	$(call quiet,KBUILD,tests/vm/modules)
@@ -30,5 +31,3 @@ $(VM_MODULES): $(VM_MODULE_SOURCES) $(MODULE_BUILD)/kdir
 	$(Q)$(MAKE) --no-print-directory $(if $(filter 0,$(V)),-s) -C $(KDIR) \
 		M=$(abspath $(@D)) W=1 KCFLAGS=-Werror CONFIG_DEBUG_INFO_BTF_MODULES= modules
 	@touch $@
-
-VM_NEEDS += $(VM_MODULES)

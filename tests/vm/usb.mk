@@ -2,6 +2,7 @@
 # Boards on USB that fail: the cable, the board, the program that has it.
 
 VM_TESTS += root:test_usb_faults:180
+VM_ONCE += test_usb_faults
 
 # Under ASan, the library too: so that nothing that fails leaves anything behind.
 ifeq ($(VM_SANITIZED),yes)

@@ -4,6 +4,7 @@
 VM_TESTS += user:test_usb_bunny:120 user:test_usb_programs root:test_usb_messages:120 \
 	root:test_usb_rule user:test_usb_stream:120 user:test_usb_throughput:180
 VM_BENCHES += test_usb_throughput
+VM_ONCE += test_usb_bunny test_usb_stream test_usb_throughput
 VM_NEEDS += $(BUILD)/gloss-info
 
 $(BUILD)/tests/vm/test_usb_stream: $(VM_STREAM_OBJS)

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Tests in a virtual machine: a Debian kernel, the module, and four virtual boards. See README.md.
+# KERNEL: which kernels, such as 6.12; all of tests/vm/kernels if not given.
 
 # A test program: tests/vm/NAME.c (or .sh) makes $(BUILD)/tests/vm/NAME. The list it runs from has
 # WHO:NAME[:SECONDS], WHO root or user; fragments of single tests add theirs.
 VM_TESTS := user:test_smoke
 # Those of them that give figures to make bench.
 VM_BENCHES :=
+# Those that check-vm runs on the newest kernel alone: long, and gloss.ko has no part in them.
+VM_ONCE :=
 # What else has to be built before they run.
 VM_NEEDS :=
 
@@ -44,16 +47,38 @@ $(BUILD)/tests/vm/list: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' $(VM_TESTS) | cmp -s - $@ || printf '%s\n' $(VM_TESTS) >$@
 
-.PHONY: vm-programs check-vm check-kasan bench-vm FORCE
+.PHONY: vm-programs vm-modules check-vm check-kasan bench-vm FORCE
 vm-programs: $(VM_PROGRAMS) $(VM_NEEDS) $(BUILD)/tests/vm/runner $(BUILD)/tests/vm/list \
 	$(BUILD)/vboard-pci $(BUILD)/vboard-usb $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN) ## what runs in the virtual machine, and its boards
 
-check-vm: vm-programs $(MODULE) ## the driver on virtual boards, in a virtual machine
-	$(Q)tests/vm/run --build $(BUILD)
+# Each kernel has a module of its own in driver-KERNEL, and its results in vm-KERNEL.
+vm-modules-%:
+	$(Q)release=$$(tests/vm/kernels --release $*) && \
+	$(MAKE) --no-print-directory module vm-test-modules KDIR=/lib/modules/$$release/build \
+		MODULE_BUILD=$(BUILD)/driver-$*
 
-bench-vm: vm-programs $(MODULE) ## time of an empty job through the driver, streams and answers over USB
-	$(Q)tests/vm/run --build $(BUILD) $(VM_BENCHES)
+check-vm-%: vm-modules-%
+	$(Q)tests/vm/run --build $(BUILD) --kernel $* $(if $(filter $*,$(VM_NEWEST)),,$(VM_ONCE:%=--without %))
 
+# At run time, as what is missing is told here and not to those who build something else.
+FOR_KERNELS = kernels=$$(tests/vm/kernels $(KERNEL)) && set -- $$kernels && \
+	$(MAKE) --no-print-directory VM_NEWEST=$$1
+
+vm-modules: ## gloss.ko for the virtual machine (KERNEL)
+	$(Q)+$(FOR_KERNELS) $$(printf 'vm-modules-%s ' "$$@")
+
+check-vm: vm-programs ## the driver on virtual boards, in a virtual machine (KERNEL: 6.1 or 6.12; both)
+	$(Q)+$(FOR_KERNELS) -k $$(printf 'check-vm-%s ' "$$@")
+
+bench-vm: vm-programs ## time of an empty job through the driver, streams and answers over USB
+	$(Q)+$(FOR_KERNELS) vm-modules-$$1 && \
+	tests/vm/run --build $(BUILD) --kernel $$1 --results $(BUILD)/vm $(VM_BENCHES)
+
+run-kernels:
+	$(call quiet,TEST,kernels)
+	$(Q)tests/vm/test_kernels.sh $(BUILD)/tests/vm/kernels
+
+UNIT_TESTS += kernels
 CHECKS  += check-vm
 BENCHES += bench-vm
 
@@ -61,7 +86,7 @@ BENCHES += bench-vm
 KASAN_DRIVER := $(BUILD)/driver-kasan
 check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak...; builds a kernel at first
 	$(Q)kernel=$$(tests/vm/kasan-kernel $(or $(GLOSS_CACHE),$(BUILD))) && \
-	$(MAKE) --no-print-directory module vm-modules KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
+	$(MAKE) --no-print-directory module vm-test-modules KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
 	tests/vm/run --build $(BUILD) --driver $(KASAN_DRIVER) --results $(BUILD)/vm-kasan \
 		--kernel $$kernel/bzImage --modules none --debug --slow 5 --timeout 3600
 
