@@ -53,10 +53,10 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height)
 {
 	int columns = (width + bin->tile_size - 1) / bin->tile_size;
 	int rows = (height + bin->tile_size - 1) / bin->tile_size;
-	struct accel_tile *tile = bin->tile;
+	struct accel_tile *tile;
 
 	if (columns * rows > bin->tiles_room) {
-		tile = realloc(tile, (size_t)(columns * rows) * sizeof(*tile));
+		tile = realloc(bin->tile, (size_t)(columns * rows) * sizeof(*tile));
 		if (!tile)
 			return -ENOMEM;
 		bin->tile = tile;
@@ -147,15 +147,16 @@ uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now
 static int tile_state(struct accel_bin *bin, struct accel_tile *tile,
 		      const struct accel_tile_state *state)
 {
-	uint32_t words[4], count = 0;
+	uint32_t words[4], count;
 
 	if (!tile->drawn) {
 		tile->drawn = true;
 		tile->clear = bin->clear;
 		tile->first = *state;
-	} else {
-		count = accel_bin_packets(words, &tile->now, state);
+		tile->now = *state;
+		return 0;
 	}
+	count = accel_bin_packets(words, &tile->now, state);
 	tile->now = *state;
 	return count ? tile_put(bin, tile, words, count) : 0;
 }
@@ -298,7 +299,7 @@ static int band_tile(struct accel_bin *bin, const struct accel_triangle *triangl
 	int x1 = bin->visible.x1 < x + bin->tile_size ? bin->visible.x1 : x + bin->tile_size;
 	struct accel_place place = { x, y, bin->tile_size, band->first, band->end, false, NULL };
 	struct accel_tile_state state = bin->state;
-	uint32_t words[ACCEL_RECORD_WORDS];
+	uint32_t words[ACCEL_RECORD_WORDS], count;
 
 	while (place.first < place.end &&
 	       !row_meets(&band->row[place.first - band->first], x0, x1))
@@ -311,7 +312,8 @@ static int band_tile(struct accel_bin *bin, const struct accel_triangle *triangl
 	place.row = &band->row[place.first - band->first];
 	place.covering = band_covers(band, x, x + bin->tile_size, bin->tile_size);
 	state.scissor = tile_scissor(bin, x, y);
-	return tile_record(bin, tile, &state, words, accel_record_pack(words, triangle, &place));
+	count = accel_record_pack(words, triangle, &place);
+	return tile_record(bin, tile, &state, words, count);
 }
 
 static int band_draw(struct accel_bin *bin, const struct accel_triangle *triangle,

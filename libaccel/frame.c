@@ -84,8 +84,8 @@ static struct part part_of(bool clear, uint32_t value, bool uses, bool writes, u
 static int tile_records(struct writer *writer, const struct accel_tile *tile)
 {
 	const struct accel_chunk *chunk;
-	uint32_t words[4];
-	int err = put(writer, words, accel_bin_packets(words, &writer->now, &tile->first));
+	uint32_t words[4], count = accel_bin_packets(words, &writer->now, &tile->first);
+	int err = put(writer, words, count);
 
 	for (chunk = tile->chunk; chunk && !err; chunk = chunk->next)
 		err = put(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);

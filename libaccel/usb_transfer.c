@@ -155,7 +155,7 @@ static bool in_message(struct accel_usb_link *link, enum accel_usb_message messa
 /* The words of one transfer. */
 static bool in_take(struct accel_usb_link *link, const struct libusb_transfer *transfer)
 {
-	const uint32_t *words = (const uint32_t *)(const void *)transfer->buffer;
+	const uint32_t *words = (const void *)transfer->buffer;
 	size_t count = (size_t)transfer->actual_length / sizeof(*words);
 
 	if ((size_t)transfer->actual_length % sizeof(*words))
