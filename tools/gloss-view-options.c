@@ -85,8 +85,9 @@ static bool set_shininess(struct view_options *options, const char *value)
 
 static bool set_light(struct view_options *options, const char *value)
 {
-	return options->lights < ACCEL_LIGHTS &&
-	       view_light_parse(value, &options->light[options->lights++]);
+	if (options->lights == ACCEL_LIGHTS)
+		return false;
+	return view_light_parse(value, &options->light[options->lights++]);
 }
 
 static bool set_two_sided(struct view_options *options, const char *value)

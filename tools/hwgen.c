@@ -61,15 +61,16 @@ char *hw_copy(const char *text, size_t length)
 static bool same(const char *path, const char *data, size_t size)
 {
 	FILE *file = fopen(path, "rb");
-	bool equal = file;
-	size_t i;
+	size_t i = 0;
+	bool equal;
+	int c;
 
-	for (i = 0; equal && i < size; i++)
-		equal = getc(file) == (unsigned char)data[i];
-	if (equal)
-		equal = getc(file) == EOF && !ferror(file);
-	if (file)
-		fclose(file);
+	if (!file)
+		return false;
+	while ((c = getc(file)) != EOF && i < size && c == (unsigned char)data[i])
+		i++;
+	equal = c == EOF && i == size && !ferror(file);
+	fclose(file);
 	return equal;
 }
 

@@ -40,7 +40,12 @@ struct element {
 
 static unsigned long line_of(const struct reader *reader)
 {
+	/* Expat 2.9 deprecates what 2.5 alone has. */
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+	return XML_GetCurrentLineNumber64(reader->parser);
+#else
 	return XML_GetCurrentLineNumber(reader->parser);
+#endif
 }
 
 #define FAIL(reader, ...) hw_fail((reader)->hw->path, line_of(reader), __VA_ARGS__)
@@ -336,7 +341,7 @@ static const struct element *find_element(const struct reader *reader, const cha
 static void take_attributes(struct reader *reader, const struct element *element,
 			    const char **attributes)
 {
-	memset(reader->attribute, 0, sizeof(reader->attribute));
+	memset((void *)reader->attribute, 0, sizeof(reader->attribute));
 	for (; *attributes; attributes += 2) {
 		unsigned int i = 0;
 
@@ -409,14 +414,16 @@ static void parse(struct reader *reader, FILE *file)
 {
 	char buffer[8192];
 	size_t size;
+	bool end;
 
 	do {
 		size = fread(buffer, 1, sizeof(buffer), file);
 		if (ferror(file))
 			hw_fail(reader->hw->path, 0, "%s", strerror(errno));
-		if (!XML_Parse(reader->parser, buffer, (int)size, size == 0))
+		end = feof(file);
+		if (!XML_Parse(reader->parser, buffer, (int)size, end))
 			FAIL(reader, "%s", XML_ErrorString(XML_GetErrorCode(reader->parser)));
-	} while (size);
+	} while (!end);
 }
 
 void hw_read(const char *path, struct hw_interface *hw)

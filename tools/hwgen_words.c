@@ -73,7 +73,7 @@ static int compare(const void *key, const void *element)
 }
 
 #define HAS(words, name) \
-	bsearch(name, words, sizeof(words) / sizeof((words)[0]), sizeof((words)[0]), compare)
+	bsearch(name, (const void *)(words), sizeof(words) / sizeof((words)[0]), sizeof((words)[0]), compare)
 
 const char *hw_keyword_c(const char *name)
 {

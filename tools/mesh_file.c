@@ -71,15 +71,16 @@ static const unsigned int steps = aiProcess_RemoveComponent | aiProcess_Triangul
 static const struct aiScene *import(const char *path, bool smooth, unsigned int flags)
 {
 	struct aiPropertyStore *store = aiCreatePropertyStore();
-	int drop = aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
-		   aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-		   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS;
+	unsigned int drop = aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+			    aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
+			    aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+			    aiComponent_CAMERAS;
 	const struct aiScene *scene;
 
 	if (!store)
 		return NULL;
 	aiSetImportPropertyInteger(store, AI_CONFIG_PP_RVC_FLAGS,
-				   smooth ? drop | aiComponent_NORMALS : drop);
+				   (int)(smooth ? drop | aiComponent_NORMALS : drop));
 	aiSetImportPropertyInteger(store, AI_CONFIG_PP_SBP_REMOVE,
 				   aiPrimitiveType_POINT | aiPrimitiveType_LINE);
 	scene = aiImportFileExWithProperties(path, flags, NULL, store);

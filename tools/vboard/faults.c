@@ -93,7 +93,9 @@ static bool faults_dma(struct vboard_faults *faults)
 		faults_die(faults);
 	if (faults->dead)
 		return false;
-	return !faults->armed.refuse_dma || --faults->armed.refuse_dma;
+	if (!faults->armed.refuse_dma)
+		return true;
+	return --faults->armed.refuse_dma;
 }
 
 static bool faults_is_completion(const struct vboard_faults *faults, uint64_t address)

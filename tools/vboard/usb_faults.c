@@ -12,7 +12,9 @@
 /* Counts down; true: this is the one. */
 static bool faults_hit(uint32_t *count)
 {
-	return *count && !--*count;
+	if (!*count)
+		return false;
+	return !--*count;
 }
 
 void vboard_usb_faults_init(struct vboard_usb_faults *faults,

@@ -125,8 +125,7 @@ static bool usb_port(struct vboard_usb *usb, uint64_t id, uint8_t endpoint, uint
 		return true;
 	}
 	/* malloc() made the bytes, so they are aligned. */
-	return vboard_usb_bridge_submit(&usb->bridge, id, endpoint, (uint32_t *)(void *)bytes,
-					count);
+	return vboard_usb_bridge_submit(&usb->bridge, id, endpoint, (void *)bytes, count);
 }
 
 static bool usb_sink(struct vboard_usb *usb, uint64_t id, uint8_t *bytes, uint32_t count)

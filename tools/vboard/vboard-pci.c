@@ -91,7 +91,7 @@ static void slot_report(const struct slot *slot)
 static enum vboard_exit run_boards(struct slot *slot, unsigned int boards)
 {
 	struct vboard_loop *loops[VBOARD_BOARDS];
-	const char *names[VBOARD_BOARDS];
+	const char *names[VBOARD_BOARDS] = { NULL };
 	unsigned int i;
 
 	for (i = 0; i < boards; i++) {

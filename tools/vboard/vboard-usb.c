@@ -104,7 +104,7 @@ static void socket_report(const struct socket *socket)
 static enum vboard_exit run_boards(struct socket *socket, unsigned int boards)
 {
 	struct vboard_loop *loops[VBOARD_BOARDS];
-	const char *names[VBOARD_BOARDS];
+	const char *names[VBOARD_BOARDS] = { NULL };
 	unsigned int i;
 
 	for (i = 0; i < boards; i++) {
