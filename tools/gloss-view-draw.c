@@ -30,14 +30,16 @@ static int open_mesh(struct view *view)
 	const char *name = view->options->mesh;
 	char message[MESH_MESSAGE];
 
-	if (mesh_load(name, view->options->smooth, &view->mesh, message)) {
+	if (mesh_load(name, &view->options->reading, &view->mesh, message)) {
 		fprintf(stderr, "gloss-view: %s\n", message);
 		return VIEW_FAILED;
 	}
 	mesh_bounds(&view->mesh, view->centre, &view->radius);
 	/* Its inverse scales the mesh, and must be a number too. */
-	if (isfinite(view->radius) && view->radius > 1e-30f)
+	if (isfinite(view->radius) && view->radius > 1e-30f) {
+		mesh_rescale(&view->mesh, view->centre, &view->radius);
 		return VIEW_OK;
+	}
 	view_error("mesh has no size", name, "give one whose points are apart, and less than 1e38");
 	return VIEW_FAILED;
 }

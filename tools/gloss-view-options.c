@@ -100,8 +100,20 @@ static bool set_two_sided(struct view_options *options, const char *value)
 static bool set_smooth(struct view_options *options, const char *value)
 {
 	(void)value;
-	options->smooth = true;
+	options->reading.normals = MESH_NORMALS_SMOOTH;
 	return true;
+}
+
+static bool set_facets(struct view_options *options, const char *value)
+{
+	(void)value;
+	options->reading.normals = MESH_NORMALS_FACETS;
+	return true;
+}
+
+static bool set_crease(struct view_options *options, const char *value)
+{
+	return view_number(value, 0, 180, &options->reading.crease);
 }
 
 static bool set_rotate(struct view_options *options, const char *value)
@@ -206,7 +218,10 @@ static const struct view_option {
 	{ "light", "LIGHT", "a light, up to 8 times; see below",
 	  "give KIND:X,Y,Z[:SETTING=VALUE]..., at most 8 times; see gloss-view --help", set_light },
 	{ "two-sided", NULL, "draw back faces too, lit from behind", "", set_two_sided },
-	{ "smooth", NULL, "make smooth normals also where the file has its own", "", set_smooth },
+	{ "crease", "DEGREES", "where a file has no normals, edges at which faces meet at more are sharp;" NEXT
+	  "30 if not given", "give degrees from 0 to 180", set_crease },
+	{ "smooth", NULL, "no sharp edges, also where the file has its own normals", "", set_smooth },
+	{ "facets", NULL, "all edges sharp, also where the file has its own normals", "", set_facets },
 	{ "rotate", "X,Y,Z", "turn the mesh about its axes, degrees",
 	  "give three numbers of degrees", set_rotate },
 	{ "camera", "RIGHT,UP", "move the eye around the mesh, degrees",
@@ -268,6 +283,7 @@ static void set_defaults(struct view_options *options)
 	options->shading = ACCEL_SHADING_ADAPTIVE;
 	options->zoom = 1;
 	options->fov = 30;
+	options->reading.crease = MESH_CREASE;
 	set_material(options, DEFAULT_MATERIAL);
 	view_colour("#1c2430", options->background);
 }

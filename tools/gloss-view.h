@@ -21,7 +21,8 @@ struct view_options {
 	struct accel_material material;
 	struct accel_light light[ACCEL_LIGHTS];	/* positions from the middle of the mesh */
 	int lights;
-	bool smooth, two_sided;
+	struct mesh_options reading;
+	bool two_sided;
 	float rotate[3];		/* degrees about x, y and z */
 	float camera[2];		/* degrees to the right and up */
 	float zoom, fov;		/* fov 0: no perspective */

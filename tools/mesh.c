@@ -8,8 +8,7 @@
 
 int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh)
 {
-	mesh->vertices = vertices;
-	mesh->triangles = triangles;
+	*mesh = (struct mesh){ .vertices = vertices, .triangles = triangles };
 	mesh->position = calloc(vertices, sizeof(*mesh->position));
 	mesh->normal = calloc(vertices, sizeof(*mesh->normal));
 	mesh->triangle = calloc(triangles, sizeof(*mesh->triangle));
@@ -23,6 +22,7 @@ void mesh_free(struct mesh *mesh)
 {
 	free(mesh->position);
 	free(mesh->normal);
+	free(mesh->colour);
 	free(mesh->triangle);
 	memset(mesh, 0, sizeof(*mesh));
 }
@@ -53,6 +53,18 @@ void mesh_bounds(const struct mesh *mesh, float centre[3], float *radius)
 	*radius = (float)sqrt(square);
 }
 
+void mesh_rescale(struct mesh *mesh, float centre[3], float *radius)
+{
+	int exponent;
+
+	*radius = frexpf(*radius, &exponent);
+	for (int i = 0; i < 3; i++) {
+		centre[i] = ldexpf(centre[i], -exponent);
+		for (uint32_t v = 0; v < mesh->vertices; v++)
+			mesh->position[v][i] = ldexpf(mesh->position[v][i], -exponent);
+	}
+}
+
 struct accel_mesh mesh_lend(const struct mesh *mesh)
 {
 	return (struct accel_mesh){
@@ -60,6 +72,7 @@ struct accel_mesh mesh_lend(const struct mesh *mesh)
 		.vertices = mesh->vertices,
 		.position = (const float(*)[3])mesh->position,
 		.normal = (const float(*)[3])mesh->normal,
+		.colour = (const float(*)[4])mesh->colour,
 		.indices = mesh->triangles * 3,
 		.index = mesh->triangle[0],
 	};

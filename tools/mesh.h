@@ -12,26 +12,48 @@
 struct mesh {
 	uint32_t vertices, triangles;
 	float (*position)[3], (*normal)[3];
+	float (*colour)[4];		/* NULL: has none */
 	uint32_t (*triangle)[3];	/* indices of vertices */
 };
 
+enum mesh_normals {
+	MESH_NORMALS_CREASED,		/* the file's; where it has none, smooth up to a crease */
+	MESH_NORMALS_SMOOTH,		/* smooth everywhere */
+	MESH_NORMALS_FACETS		/* of each triangle its own */
+};
+
+struct mesh_options {
+	enum mesh_normals normals;
+	float crease;			/* degrees; an edge where faces meet at more is sharp */
+	/* Called about ten times a second while a file is read; may be NULL. */
+	void (*waiting)(void *data);
+	void *data;
+};
+
+#define MESH_CREASE 30			/* degrees, if there is no better reason */
+
 /*
  * Loads @name: a built-in shape (MESH_SHAPES) or a file that assimp reads. Meshes of a file
- * become one; what has no normals, or everything with @smooth, gets smooth ones. On failure
- * @message says "what: where: what to do" in one line. -errno
+ * become one. Its normals are made anew where they contradict the winding of its triangles, and
+ * for STL always. On failure @message says "what: where: what to do" in one line. -errno
  */
-int mesh_load(const char *name, bool smooth, struct mesh *mesh, char message[MESH_MESSAGE]);
+int mesh_load(const char *name, const struct mesh_options *options, struct mesh *mesh,
+	      char message[MESH_MESSAGE]);
 void mesh_free(struct mesh *mesh);
 
-/* Arrays of zeros. -ENOMEM */
+/* Arrays of zeros, without colours. -ENOMEM */
 int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh);
 
 /*
- * Gives smooth normals to those of the vertices from number @vertex on that have normals of no
- * length; vertices at the same place get the same. The triangles from number @triangle on are
- * theirs, and have no other corners. -ENOMEM
+ * Makes @mesh of @raw, whose vertices may be joined or not: normals where @raw has none (NULL, or
+ * some without length) or @normals asks for others, vertices joined where all of them is equal,
+ * to the bit, and left out where no triangle has them. Triangles stay as they are. -ENOMEM
  */
-int mesh_smooth(struct mesh *mesh, uint32_t vertex, uint32_t triangle);
+int mesh_build(const struct mesh *raw, enum mesh_normals normals, float crease,
+	       struct mesh *mesh);
+
+/* Multiplies the positions by the power of two that makes @radius, of mesh_bounds, 1/2 to 1. */
+void mesh_rescale(struct mesh *mesh, float centre[3], float *radius);
 
 /* A box's middle, and the radius of the sphere around it that holds all vertices. */
 void mesh_bounds(const struct mesh *mesh, float centre[3], float *radius);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-/* Meshes from files, through assimp's C interface. */
-#include <assimp/cimport.h>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+/* Meshes by name: shapes, and files, which a process of its own reads. */
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "mesh.h"
+#include "mesh_child.h"
+#include "mesh_import.h"
 
 static int refuse(char message[MESH_MESSAGE], int error, const char *what, const char *where,
 		  const char *hint)
@@ -38,149 +34,38 @@ static int check_file(const char *path, char message[MESH_MESSAGE])
 	return 0;
 }
 
-static bool finite_vectors(const struct aiVector3D *vector, unsigned int count)
+static int load_file(const char *path, const struct mesh_options *options, struct mesh *mesh,
+		     char message[MESH_MESSAGE])
 {
-	for (unsigned int i = 0; vector && i < count; i++)
-		if (!isfinite(vector[i].x) || !isfinite(vector[i].y) || !isfinite(vector[i].z))
-			return false;
-	return true;
+	const struct child_limits limits = child_limits_default();
+	int ret = check_file(path, message);
+
+	return ret ? ret : child_run(mesh_import, path, options, &limits, mesh, message);
 }
 
-static int check_scene(const struct aiScene *scene, const char *path,
-		       char message[MESH_MESSAGE])
+/* A shape has the best of smooth normals already. */
+static int load_shape(const char *name, const struct mesh_options *options, struct mesh *mesh)
 {
-	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
-		const struct aiMesh *part = scene->mMeshes[i];
-
-		if (!finite_vectors(part->mVertices, part->mNumVertices) ||
-		    !finite_vectors(part->mNormals, part->mNumVertices))
-			return refuse(message, -EINVAL, "coordinates that are not numbers", path,
-				      "repair the file, it has NaN or infinity");
-	}
-	return 0;
-}
-
-/*
- * Steps that leave triangles with positions and normals in one coordinate system. Not with
- * aiProcess_GenSmoothNormals, wrong in 5.2.5 where faces share vertices, as in PLY and glTF.
- */
-static const unsigned int steps = aiProcess_RemoveComponent | aiProcess_Triangulate |
-				  aiProcess_SortByPType | aiProcess_PreTransformVertices |
-				  aiProcess_JoinIdenticalVertices;
-
-static const struct aiScene *import(const char *path, bool smooth, unsigned int flags)
-{
-	struct aiPropertyStore *store = aiCreatePropertyStore();
-	unsigned int drop = aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
-			    aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
-			    aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
-			    aiComponent_CAMERAS;
-	const struct aiScene *scene;
-
-	if (!store)
-		return NULL;
-	aiSetImportPropertyInteger(store, AI_CONFIG_PP_RVC_FLAGS,
-				   (int)(smooth ? drop | aiComponent_NORMALS : drop));
-	aiSetImportPropertyInteger(store, AI_CONFIG_PP_SBP_REMOVE,
-				   aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-	scene = aiImportFileExWithProperties(path, flags, NULL, store);
-	aiReleasePropertyStore(store);
-	return scene;
-}
-
-static void count(const struct aiScene *scene, uint64_t *vertices, uint64_t *triangles)
-{
-	*vertices = *triangles = 0;
-	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
-		*vertices += scene->mMeshes[i]->mNumVertices;
-		*triangles += scene->mMeshes[i]->mNumFaces;
-	}
-}
-
-static void set(float out[3], const struct aiVector3D *vector)
-{
-	out[0] = vector->x;
-	out[1] = vector->y;
-	out[2] = vector->z;
-}
-
-static int append(struct mesh *mesh, const struct aiMesh *part)
-{
-	uint32_t vertex = mesh->vertices, triangle = mesh->triangles;
-
-	for (unsigned int i = 0; i < part->mNumFaces; i++) {
-		for (int corner = 0; corner < 3; corner++)
-			mesh->triangle[mesh->triangles][corner] =
-				mesh->vertices + part->mFaces[i].mIndices[corner];
-		mesh->triangles++;
-	}
-	for (unsigned int i = 0; i < part->mNumVertices; i++, mesh->vertices++) {
-		set(mesh->position[mesh->vertices], &part->mVertices[i]);
-		if (part->mNormals)
-			set(mesh->normal[mesh->vertices], &part->mNormals[i]);
-	}
-	/* STL files may have normals that are all zero. */
-	return mesh_smooth(mesh, vertex, triangle);
-}
-
-static int convert(const struct aiScene *scene, const char *path, struct mesh *mesh,
-		   char message[MESH_MESSAGE])
-{
-	uint64_t vertices, triangles;
-
-	count(scene, &vertices, &triangles);
-	if (!triangles)
-		return refuse(message, -EINVAL, "no triangles", path, "give a mesh with faces");
-	if (vertices > UINT32_MAX || triangles > UINT32_MAX / 3)
-		return refuse(message, -E2BIG, "mesh too large", path, "give fewer triangles");
-	if (mesh_new((uint32_t)vertices, (uint32_t)triangles, mesh))
-		return refuse(message, -ENOMEM, "out of memory", path, "give a smaller mesh");
-	mesh->vertices = mesh->triangles = 0;
-	for (unsigned int i = 0; i < scene->mNumMeshes; i++) {
-		if (append(mesh, scene->mMeshes[i])) {
-			mesh_free(mesh);
-			return refuse(message, -ENOMEM, "out of memory", path,
-				      "give a smaller mesh");
-		}
-	}
-	return 0;
-}
-
-/*
- * The file is read twice: first as it is, for what assimp's steps do with NaN is not its to
- * promise, and to take the steps later, aiApplyPostProcessing, is not safe: where a step fails it
- * frees the scene twice (5.2.5).
- */
-static int load_file(const char *path, bool smooth, struct mesh *mesh, char message[MESH_MESSAGE])
-{
-	const struct aiScene *scene;
+	struct mesh shape;
 	int ret;
 
-	ret = check_file(path, message);
+	if (options->normals != MESH_NORMALS_FACETS)
+		return mesh_shape(name, mesh);
+	ret = mesh_shape(name, &shape);
 	if (ret)
 		return ret;
-	scene = import(path, smooth, 0);
-	if (!scene)
-		return refuse(message, -EINVAL, "not a mesh", path,
-			      "give an OBJ, PLY, 3DS, glTF or STL file");
-	ret = check_scene(scene, path, message);
-	aiReleaseImport(scene);
-	if (ret)
-		return ret;
-	scene = import(path, smooth, steps);
-	if (!scene)
-		return refuse(message, -EINVAL, "no triangles", path, "give a mesh with faces");
-	ret = convert(scene, path, mesh, message);
-	aiReleaseImport(scene);
+	ret = mesh_build(&shape, options->normals, options->crease, mesh);
+	mesh_free(&shape);
 	return ret;
 }
 
-int mesh_load(const char *name, bool smooth, struct mesh *mesh, char message[MESH_MESSAGE])
+int mesh_load(const char *name, const struct mesh_options *options, struct mesh *mesh,
+	      char message[MESH_MESSAGE])
 {
-	int ret = mesh_shape(name, mesh);
+	int ret = load_shape(name, options, mesh);
 
 	if (ret == -ENOENT)
-		return load_file(name, smooth, mesh, message);
+		return load_file(name, options, mesh, message);
 	if (ret == -EINVAL)
 		return refuse(message, ret, "no such shape", name, "there are " MESH_SHAPES);
 	if (ret)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # gloss-view, what it is made of, and the programs that measure pictures with the same parts.
 
-SCENE_SOURCES := $(addprefix tools/, matrix.c mesh.c mesh_file.c mesh_shape.c mesh_smooth.c phong.c \
-	phong_fill.c picture.c picture_text.c quality.c scene.c)
+SCENE_SOURCES := $(addprefix tools/, matrix.c mesh.c mesh_build.c mesh_child.c mesh_file.c \
+	mesh_import.c mesh_part.c mesh_place.c mesh_shape.c phong.c phong_fill.c picture.c picture_text.c quality.c scene.c)
 VIEW_SOURCES := $(addprefix tools/gloss-view, -camera.c -compare.c -draw.c -light.c -material.c \
 	-number.c -options.c -progress.c -stats.c -turntable.c -window.c)
 

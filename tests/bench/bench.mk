@@ -2,8 +2,8 @@
 # Figures. A benchmark is a target that writes "name value" lines to build/bench/NAME.txt and is
 # added to BENCHES; they run one after the other. docs/figures.md says what each name means.
 
-BENCH_PROGRAMS := $(BUILD)/tests/bench/bench_shade $(BUILD)/tests/bench/bench_setup
-BENCHES += bench-shade bench-setup nmse
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_setup bench_shade)
+BENCHES += bench-shade bench-setup bench-load nmse
 
 $(BENCH_PROGRAMS): $(BUILD)/tests/bench/%: tests/bench/%.c $(SCENE_OBJS) $(BUILD)/libaccel.a
 	$(call quiet,CC,$<)
@@ -18,12 +18,15 @@ keep_figures = mkdir -p $(BUILD)/bench && rm -f $(BUILD)/bench/$(1).txt && \
 	$(2) >$(BUILD)/bench/$(1).tmp && cat $(BUILD)/bench/$(1).tmp && \
 	mv $(BUILD)/bench/$(1).tmp $(BUILD)/bench/$(1).txt
 
-.PHONY: bench bench-shade bench-setup figures run-merge
+.PHONY: bench bench-load bench-shade bench-setup figures run-merge
 bench-shade: $(BUILD)/tests/bench/bench_shade ## speed of the model against per-pixel Phong
 	$(Q)$(call keep_figures,shade,$< sphere:2 sphere:3 torus:24 $(MODELS)/bunny.obj)
 
 bench-setup: $(BUILD)/tests/bench/bench_setup ## triangles set up a second, and their words
 	$(Q)$(call keep_figures,setup,$< sphere:5 sphere:2 $(MODELS)/bunny.obj)
+
+bench-load: $(BUILD)/tests/bench/bench_load ## time and memory of reading a mesh against assimp alone
+	$(Q)$(call keep_figures,load,$<)
 
 bench: ## all figures, printed and in build/bench.json; with those of make synth if it has run
 	$(Q)for bench in $(BENCHES); do $(MAKE) --no-print-directory $$bench || exit 1; done

@@ -84,13 +84,14 @@ static void measure(struct bench *bench, const char *name, bool figure)
 {
 	double begin = thread_time(), least = 1e9;
 	struct accel_draw_stats stats;
+	static const struct mesh_options smooth = { .normals = MESH_NORMALS_SMOOTH };
 	char message[MESH_MESSAGE];
 	struct accel_mesh lent;
 	struct mesh mesh;
 	uint64_t drawn;
 	double rate;
 
-	need(mesh_load(name, false, &mesh, message), name);
+	need(mesh_load(name, &smooth, &mesh, message), name);
 	place(bench, &mesh);
 	lent = mesh_lend(&mesh);
 	for (int i = 0; i < FRAMES_MIN || thread_time() - begin < SECONDS; i++) {

@@ -185,10 +185,11 @@ static void measure(struct bench *bench, const char *scene, const char *suffix)
 /* The first mesh's figures have no suffix; its other setting is the only one with a lamp. */
 static void measure_mesh(struct bench *bench, const char *name, bool first)
 {
+	static const struct mesh_options smooth = { .normals = MESH_NORMALS_SMOOTH };
 	char message[MESH_MESSAGE], suffix[32] = "";
 	struct mesh mesh;
 
-	if (mesh_load(name, false, &mesh, message))
+	if (mesh_load(name, &smooth, &mesh, message))
 		die(message);
 	if (!first)
 		suffix_of(suffix, name);

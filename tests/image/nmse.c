@@ -220,10 +220,11 @@ static void row(struct bench *bench, const char *mesh, float n, float specular)
 static void rows(struct bench *bench, const char *name)
 {
 	static const float exponents[] = { 10, 30, 100 }, strengths[] = { 0.3f, 0.6f };
+	static const struct mesh_options smooth = { .normals = MESH_NORMALS_SMOOTH };
 	char message[MESH_MESSAGE];
 	struct mesh mesh;
 
-	if (mesh_load(name, false, &mesh, message))
+	if (mesh_load(name, &smooth, &mesh, message))
 		die(message);
 	place(bench, &mesh);
 	for (int s = 0; s < 2; s++)

@@ -6,10 +6,12 @@ demo-run: $(BUILD)/gloss-view $(SIM_DIR)/accel-sim-t64-k8.so
 	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) tests/view/demo $(BUILD)/gloss-view $(MODELS)/bunny.obj $(BUILD)/demo
 
 view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
-	$(Q)tests/view/run $(abspath $<) $(MODELS)
+	$(Q)tests/view/run $(abspath $<)
+	$(Q)tests/view/meshes $(abspath $<) $(MODELS)
 
 # A test of the viewer's insides includes the file it is about.
-VIEW_TESTS := test_mesh test_phong test_picture test_view_camera test_view_window
+VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_shape test_phong \
+	test_picture test_view_camera test_view_window
 
 $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(SCENE_OBJS) \
 		$(BUILD)/libaccel.a
@@ -33,7 +35,7 @@ view-sanitize: ## gloss-view and its tests under ASan and UBSan
 	$(Q)+ASAN_OPTIONS=detect_leaks=0 $(SANITIZED_MAKE) BUILD=$(BUILD)/asan-view \
 		CFLAGS='$(SANITIZED_CFLAGS)' run-test_view_window
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan-view CFLAGS='$(SANITIZED_CFLAGS)' \
-		$(patsubst %,run-%,$(filter-out %_window,$(VIEW_TESTS))) view
+		SANITIZED=yes $(patsubst %,run-%,$(filter-out %_window,$(VIEW_TESTS))) view
 
 UNIT_TESTS += $(VIEW_TESTS)
 CHECKS += view view-sanitize
