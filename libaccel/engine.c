@@ -9,23 +9,31 @@
 #include "thread.h"
 
 struct accel_engine_job {
-	struct accel_engine_job *next;
-	uint64_t sequence;
+	struct accel_job_entry entry;	/* first, so that an entry is its job */
+	struct accel_engine_job *next;	/* to be run after it */
 	bool ended;
 	int error;			/* of the engine */
 	struct gloss_status status;
 	struct gloss_job job;
-	uint32_t stream[];
+	uint32_t *stream;		/* until it has ended */
 };
+
+static void engine_job_drop(struct accel_job_entry *entry)
+{
+	struct accel_engine_job *job = (struct accel_engine_job *)entry;
+
+	free(job->stream);
+	free(job);
+}
 
 /* ---- the thread ---- */
 
 /* The next job, or NULL when the engine stops and all were run. */
 static struct accel_engine_job *engine_next(struct accel_engine *engine)
 {
-	while (!engine->next && !engine->stop)
+	while (!engine->first && !engine->stop)
 		pthread_cond_wait(&engine->submitted, &engine->lock);
-	return engine->next;
+	return engine->first;
 }
 
 static void *engine_thread(void *argument)
@@ -37,9 +45,13 @@ static void *engine_thread(void *argument)
 	while ((job = engine_next(engine))) {
 		pthread_mutex_unlock(&engine->lock);
 		job->error = engine->run(engine->data, &job->job, &job->status);
+		free(job->stream);
+		job->stream = NULL;
 		pthread_mutex_lock(&engine->lock);
+		engine->first = job->next;
+		if (!engine->first)
+			engine->last = &engine->first;
 		job->ended = true;
-		engine->next = job->next;
 		pthread_cond_broadcast(&engine->ended);
 	}
 	pthread_mutex_unlock(&engine->lock);
@@ -66,6 +78,7 @@ int accel_engine_init(struct accel_engine *engine, uint64_t memory_size, accel_e
 		return -ENOMEM;
 	accel_range_init(&engine->ranges, memory_size);
 	engine->last = &engine->first;
+	accel_job_table_init(&engine->jobs);
 	pthread_mutex_init(&engine->lock, NULL);
 	pthread_cond_init(&engine->submitted, NULL);
 	accel_thread_condition_init(&engine->ended);
@@ -86,12 +99,7 @@ void accel_engine_fini(struct accel_engine *engine)
 	pthread_cond_signal(&engine->submitted);
 	pthread_mutex_unlock(&engine->lock);
 	pthread_join(engine->thread, NULL);
-	while (engine->first) {
-		struct accel_engine_job *job = engine->first;
-
-		engine->first = job->next;
-		free(job);
-	}
+	accel_job_table_fini(&engine->jobs, engine_job_drop);
 	engine_destroy_locks(engine);
 	accel_range_fini(&engine->ranges);
 	munmap(engine->memory, engine->memory_size);
@@ -149,27 +157,39 @@ static int engine_fill_slots(const struct accel_engine *engine,
 	return 0;
 }
 
+/* NULL: out of memory, or there are no words. */
+static uint32_t *engine_copy(const struct accel_transport_job *from)
+{
+	const size_t bytes = (size_t)from->stream_words * sizeof(uint32_t);
+	uint32_t *stream;
+
+	if (!bytes || bytes / sizeof(uint32_t) != from->stream_words)
+		return NULL;
+	stream = malloc(bytes);
+	if (stream)
+		memcpy(stream, from->stream, bytes);
+	return stream;
+}
+
 static struct accel_engine_job *engine_job_new(const struct accel_transport_job *from)
 {
-	size_t bytes = (size_t)from->stream_words * sizeof(uint32_t);
-	struct accel_engine_job *job;
+	struct accel_engine_job *job = malloc(sizeof(*job));
 
-	if (bytes / sizeof(uint32_t) != from->stream_words || bytes > SIZE_MAX - sizeof(*job))
-		return NULL;
-	job = malloc(sizeof(*job) + bytes);
 	if (!job)
 		return NULL;
 	*job = (struct accel_engine_job){
+		.stream = engine_copy(from),
 		.job = {
-			.stream = job->stream,
 			.stream_words = from->stream_words,
 			.response = from->response,
 			.response_words = from->response_words,
 		},
 	};
-	if (bytes)
-		memcpy(job->stream, from->stream, bytes);
-	return job;
+	job->job.stream = job->stream;
+	if (job->stream || !from->stream_words)
+		return job;
+	free(job);
+	return NULL;
 }
 
 int accel_engine_submit(void *state, const struct accel_transport_job *from, uint64_t *sequence)
@@ -184,61 +204,37 @@ int accel_engine_submit(void *state, const struct accel_transport_job *from, uin
 	if (err)
 		goto err_free;
 	pthread_mutex_lock(&engine->lock);
-	job->sequence = ++engine->sequence;
-	*sequence = job->sequence;
+	*sequence = ++engine->sequence;
+	accel_job_table_put(&engine->jobs, &job->entry, *sequence);
 	*engine->last = job;
 	engine->last = &job->next;
-	if (!engine->next)
-		engine->next = job;
 	pthread_cond_signal(&engine->submitted);
 	pthread_mutex_unlock(&engine->lock);
 	return 0;
 
 err_free:
-	free(job);
+	engine_job_drop(&job->entry);
 	return err;
-}
-
-/* The link to the job, or NULL. Called with the lock held. */
-static struct accel_engine_job **engine_find(struct accel_engine *engine, uint64_t sequence)
-{
-	struct accel_engine_job **link;
-
-	for (link = &engine->first; *link; link = &(*link)->next)
-		if ((*link)->sequence == sequence)
-			return link;
-	return NULL;
-}
-
-/* Takes an ended job off the list. Called with the lock held. */
-static struct accel_engine_job *engine_take(struct accel_engine *engine, uint64_t sequence)
-{
-	struct accel_engine_job **link = engine_find(engine, sequence);
-	struct accel_engine_job *job = *link;
-
-	*link = job->next;
-	if (!job->next)
-		engine->last = link;
-	return job;
 }
 
 int accel_engine_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 		      struct gloss_status *status)
 {
 	struct accel_engine *engine = state;
-	struct accel_engine_job **link, *job;
-	int err;
+	struct accel_engine_job *job;
+	int err = -EINVAL;
 
 	pthread_mutex_lock(&engine->lock);
-	link = engine_find(engine, sequence);
-	err = link ? accel_thread_wait(&engine->ended, &engine->lock, &(*link)->ended,
-				     timeout_ns) : -EINVAL;
-	job = err ? NULL : engine_take(engine, sequence);
+	job = (struct accel_engine_job *)accel_job_table_find(&engine->jobs, sequence);
+	if (job)
+		err = accel_thread_wait(&engine->ended, &engine->lock, &job->ended, timeout_ns);
+	if (!err)
+		accel_job_table_take(&engine->jobs, &job->entry);
 	pthread_mutex_unlock(&engine->lock);
-	if (!job)
+	if (err)
 		return err;
 	*status = job->status;
 	err = job->error ? -EIO : 0;
-	free(job);
+	engine_job_drop(&job->entry);
 	return err;
 }

@@ -10,6 +10,7 @@
 #include <pthread.h>
 #include <stdbool.h>
 
+#include "job_table.h"
 #include "range.h"
 #include "transport.h"
 
@@ -34,8 +35,8 @@ struct accel_engine {
 	pthread_t thread;
 	pthread_mutex_t lock;		/* protects what follows */
 	pthread_cond_t submitted, ended;
-	struct accel_engine_job *first, **last;	/* in order, until waited for */
-	struct accel_engine_job *next;	/* to be run; NULL: all were */
+	struct accel_job_table jobs;	/* until they were waited for */
+	struct accel_engine_job *first, **last;	/* to be run, and the one that runs */
 	uint64_t sequence;
 	bool stop;
 };

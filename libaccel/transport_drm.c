@@ -17,6 +17,7 @@
 #include "drm_node.h"
 #include "drm_pool.h"
 #include "gloss_drm.h"
+#include "job_table.h"
 
 #define PAGE 4096u
 #define NS_PER_S 1000000000
@@ -29,8 +30,7 @@ _Static_assert((int)GLOSS_RIGHTS_READ == DRM_GLOSS_SLOT_READ &&
 	       (int)GLOSS_RIGHTS_WRITE == DRM_GLOSS_SLOT_WRITE, "rights of a slot");
 
 struct drm_job {
-	struct drm_job *next;
-	uint64_t sequence;
+	struct accel_job_entry entry;	/* first, so that an entry is its job */
 	struct accel_drm_buffer *buffer;
 	uint64_t response_offset;	/* in the buffer */
 	uint32_t *response;		/* the caller's */
@@ -44,8 +44,8 @@ struct transport_drm {
 	struct accel_transport_info info;
 	struct accel_drm_pool pool;
 	uint64_t sequence;		/* of the last job; under the device's lock */
-	pthread_mutex_t lock;		/* protects what follows */
-	struct drm_job *first, **last;	/* in order, until waited for */
+	pthread_mutex_t lock;		/* protects jobs */
+	struct accel_job_table jobs;	/* until they were waited for */
 };
 
 /* ---- opening ---- */
@@ -118,7 +118,7 @@ static int transport_drm_open(const char *where, void **state,
 	if (err)
 		goto err_close;
 	accel_drm_pool_init(&transport->pool, transport->fd);
-	transport->last = &transport->first;
+	accel_job_table_init(&transport->jobs);
 	pthread_mutex_init(&transport->lock, NULL);
 	*state = transport;
 	return 0;
@@ -137,6 +137,7 @@ static void transport_drm_close(void *state)
 {
 	struct transport_drm *transport = state;
 
+	accel_job_table_fini(&transport->jobs, NULL);
 	accel_drm_pool_fini(&transport->pool);
 	drmSyncobjDestroy(transport->fd, transport->syncobj);
 	close(transport->fd);
@@ -250,7 +251,6 @@ static int drm_job_new(struct transport_drm *transport, const struct accel_trans
 	if (!job)
 		return -ENOMEM;
 	*job = (struct drm_job){
-		.sequence = transport->sequence + 1,
 		.response_offset = STREAM_OFFSET +
 				   drm_page_align(4 * (uint64_t)from->stream_words),
 		.response = from->response,
@@ -284,14 +284,15 @@ static void drm_fill_slots(const struct accel_transport_job *from, struct drm_gl
 	}
 }
 
+/* As point @sequence. */
 static int drm_job_submit(const struct transport_drm *transport, const struct drm_job *job,
-			  const struct accel_transport_job *from)
+			  const struct accel_transport_job *from, uint64_t sequence)
 {
 	struct drm_gloss_slot slot[GLOSS_SLOTS];
 	const struct drm_gloss_sync ended = {
 		.handle = transport->syncobj,
 		.flags = DRM_GLOSS_SYNC_TIMELINE,
-		.point = job->sequence,
+		.point = sequence,
 	};
 	struct drm_gloss_submit submit = {
 		.stream_words = from->stream_words,
@@ -318,15 +319,6 @@ static int drm_job_submit(const struct transport_drm *transport, const struct dr
 	return accel_drm_node_ioctl(transport->fd, DRM_IOCTL_GLOSS_SUBMIT, &submit);
 }
 
-/* The job can be waited for from now on. */
-static void drm_job_append(struct transport_drm *transport, struct drm_job *job)
-{
-	pthread_mutex_lock(&transport->lock);
-	*transport->last = job;
-	transport->last = &job->next;
-	pthread_mutex_unlock(&transport->lock);
-}
-
 static int transport_drm_submit(void *state, const struct accel_transport_job *from,
 				uint64_t *sequence)
 {
@@ -340,15 +332,16 @@ static int transport_drm_submit(void *state, const struct accel_transport_job *f
 	err = drm_job_new(transport, from, &job);
 	if (err)
 		return err;
-	err = drm_job_submit(transport, job, from);
+	err = drm_job_submit(transport, job, from, transport->sequence + 1);
 	if (err) {
 		accel_drm_pool_put(&transport->pool, job->buffer);
 		free(job);
 		return err;
 	}
-	drm_job_append(transport, job);
-	transport->sequence = job->sequence;
-	*sequence = job->sequence;
+	*sequence = ++transport->sequence;
+	pthread_mutex_lock(&transport->lock);
+	accel_job_table_put(&transport->jobs, &job->entry, *sequence);
+	pthread_mutex_unlock(&transport->lock);
 	return 0;
 }
 
@@ -374,22 +367,17 @@ static int drm_wait_point(struct transport_drm *transport, uint64_t point, int64
 	return err == -ETIME ? -ETIMEDOUT : accel_drm_node_error(err);
 }
 
-/* Takes a job off the list; NULL: no such job. */
+/* NULL: no such job. */
 static struct drm_job *drm_job_take(struct transport_drm *transport, uint64_t sequence)
 {
-	struct drm_job **link, *job;
+	struct accel_job_entry *entry;
 
 	pthread_mutex_lock(&transport->lock);
-	for (link = &transport->first; *link && (*link)->sequence != sequence;)
-		link = &(*link)->next;
-	job = *link;
-	if (job) {
-		*link = job->next;
-		if (!job->next)
-			transport->last = link;
-	}
+	entry = accel_job_table_find(&transport->jobs, sequence);
+	if (entry)
+		accel_job_table_take(&transport->jobs, entry);
 	pthread_mutex_unlock(&transport->lock);
-	return job;
+	return (struct drm_job *)entry;
 }
 
 static int drm_job_result(const struct drm_job *job, struct gloss_status *status)

@@ -12,8 +12,8 @@ run-test_%: $(BUILD)/tests/unit/test_%
 
 -include $(wildcard $(BUILD)/tests/unit/*.d)
 
-ACCEL_UNIT_TESTS := test_range test_option test_engine test_device test_buffer test_target \
-	test_state test_stream test_fence test_out_of_memory \
+ACCEL_UNIT_TESTS := test_range test_option test_job_table test_engine test_device test_buffer \
+	test_target test_state test_stream test_fence test_out_of_memory \
 	test_transport_sim test_transport_sim_core
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
 
