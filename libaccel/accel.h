@@ -17,7 +17,23 @@
  *
  * Threads. A device may be used by any number of threads at once. Every other
  * object is to be used by one thread at a time; different objects, also of one
- * device, by different threads at once.
+ * device, by different threads at once. No call is a cancellation point: a thread
+ * that is cancelled (deferred, as is the default) ends after the call.
+ *
+ * Waiting. These wait for jobs: accel_fence_wait and accel_fence_free until theirs
+ * have ended, and so do all that read or write a buffer or a target, and a submit
+ * that is given no fence. accel_stream_submit and accel_draw_submit wait also while
+ * the board has more to do than is worth queueing. accel_device_new and
+ * accel_device_list ask boards, accel_device_clocks its board, and the last free of
+ * a device and all that is of it ends its use: each takes seconds at most if the
+ * board does not answer. No other call waits for a board, or for a thread that does.
+ *
+ * Processes. After fork() a device and what is of it are the parent's alone. In the
+ * child each call that needs the board answers -ENODEV, at once; frees free memory
+ * of the child and leave the board and the parent's jobs alone. A child that is to
+ * draw opens a device of its own; one that lives on without exec may keep a board on
+ * USB busy after its parent was killed. A library that was loaded stays
+ * loaded: dlclose() does not take it away from its threads.
  *
  * Ownership. Every _new has its _free, which takes NULL. An object keeps what
  * it was made from, and what it refers to, alive: freeing a device with buffers
@@ -333,9 +349,10 @@ void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *st
 /*
  * Sends the frame to the board and begins the next. On success *@fence, if @fence
  * is not NULL, is the caller's to wait for and free; with NULL the call waits itself.
- * -EIO the board refused the stream, -ENODEV. -EINVAL: it clears, and no mesh has said what. If
- * nothing could be sent (-EINVAL, -ENOMEM, -ENODEV) the frame is still there; after any other
- * result it is empty.
+ * A very large frame is several jobs, of which the fence is. -EIO the board refused
+ * the stream, or there was memory for a part of the jobs only; -ENODEV. -EINVAL: it clears, and no
+ * mesh has said what. If nothing could be sent (-EINVAL, -ENOMEM, -ENODEV) the frame is still
+ * there; after any other result it is empty.
  */
 int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
 
@@ -389,6 +406,7 @@ struct accel_fence_status {
 
 /*
  * Waits for a job, @timeout_ns nanoseconds, for ever if negative, not at all if 0.
+ * Of several jobs it waits for all, and answers as for the first that failed.
  * @status may be NULL; it is filled but for -ETIMEDOUT. 0 done; -EIO the job ended
  * with a fault (see @status), or, with no fault there, the board failed and was
  * reset; -ETIMEDOUT it still runs; -ENODEV the board is gone. A wait after the job

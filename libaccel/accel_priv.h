@@ -4,6 +4,8 @@
 #define ACCEL_PRIV_H
 
 #include <pthread.h>
+#include <stdatomic.h>
+#include <sys/types.h>
 
 #include "accel.h"
 #include "transport.h"
@@ -21,15 +23,19 @@ struct accel_device {
 	struct accel_transport_info info;
 	accel_message_fn message;	/* may be NULL */
 	void *message_data;
-	pthread_mutex_t lock;		/* protects references and calls of ops, but for wait */
-	unsigned int references;
+	pid_t process;			/* that opened it; in a child of fork() nothing works */
+	pthread_mutex_t lock;		/* of calls of ops, see transport.h */
+	atomic_uint references;
+	/* Without references, and their memory still to be freed by who has the lock next. */
+	struct accel_buffer *_Atomic freed;
 };
 
 struct accel_buffer {
 	struct accel_device *device;
 	uint64_t object;		/* of the transport */
 	uint64_t size;			/* bytes */
-	unsigned int references;	/* under the device's lock */
+	atomic_uint references;
+	struct accel_buffer *next;	/* of those freed */
 };
 
 struct accel_target {
@@ -60,6 +66,15 @@ struct accel_state {
 /* device.c */
 struct accel_device *accel_device_ref(struct accel_device *device);
 void accel_device_unref(struct accel_device *device);
+/*
+ * Around calls of ops: gets the lock, and cancellation held as @held. -ENODEV: this is a child of
+ * the process that opened the device, and nothing was got.
+ */
+int accel_device_enter(struct accel_device *device, int *held);
+void accel_device_leave(struct accel_device *device, int held);
+bool accel_device_is_inherited(const struct accel_device *device);
+/* Frees a buffer that has no references, and its memory now or soon. Does not wait. */
+void accel_device_free_buffer(struct accel_device *device, struct accel_buffer *buffer);
 /* Formats one line for the device's message function, if there is one. */
 void accel_device_message(struct accel_device *device, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
@@ -72,11 +87,21 @@ void accel_buffer_unref(struct accel_buffer *buffer);
 int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
 			   uint32_t count, uint32_t rows, uint32_t *words);
 
+/* stream.c */
+struct accel_device *accel_stream_device(const struct accel_stream *stream);
+/* Sends the stream as a job more of @fence, as accel_stream_submit does. */
+int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
+		      struct accel_fence *fence);
+
 /* fence.c */
 /* A fence of no job yet; NULL: out of memory. */
 struct accel_fence *accel_fence_new(struct accel_device *device);
-/* Of job @sequence from now on; it takes over the references to the job's buffers. */
-void accel_fence_begin(struct accel_fence *fence, uint64_t sequence,
-		       struct accel_buffer *const *buffer, unsigned int buffers);
+/* Sees to it that the next accel_fence_add has memory. -ENOMEM. */
+int accel_fence_reserve(struct accel_fence *fence);
+/* Of job @sequence, too; it takes over the references to the job's buffers. */
+void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
+		     struct accel_buffer *const *buffer, unsigned int buffers);
+/* The end of a call that returns @fence by @out; without that it waits for it, and frees it. */
+int accel_fence_give(struct accel_fence *fence, struct accel_fence **out);
 
 #endif

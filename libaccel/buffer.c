@@ -15,7 +15,7 @@
 int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_buffer **out)
 {
 	struct accel_buffer *buffer;
-	int err;
+	int err, held;
 
 	if (!size || size > BUFFER_SIZE_MAX || size % 4) {
 		accel_device_message(device, "a buffer can not have %llu bytes",
@@ -26,43 +26,39 @@ int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_bu
 	if (!buffer)
 		return -ENOMEM;
 	*buffer = (struct accel_buffer){ .size = size, .references = 1 };
-	pthread_mutex_lock(&device->lock);
-	err = device->ops->memory_new(device->state, size, &buffer->object);
-	pthread_mutex_unlock(&device->lock);
+	err = accel_device_enter(device, &held);
 	if (err)
 		goto err_free;
+	err = device->ops->memory_new(device->state, size, &buffer->object);
+	accel_device_leave(device, held);
+	if (err)
+		goto err_message;
 	buffer->device = accel_device_ref(device);
 	*out = buffer;
 	return 0;
 
+err_message:
+	accel_device_message(device, "no board memory for a buffer of %llu bytes: %s",
+			     (unsigned long long)size,
+			     err == -ENOMEM ? "there is not as much left" : strerror(-err));
 err_free:
-	accel_device_message(device, "no board memory for a buffer of %llu bytes",
-			     (unsigned long long)size);
 	free(buffer);
 	return err;
 }
 
 struct accel_buffer *accel_buffer_ref(struct accel_buffer *buffer)
 {
-	pthread_mutex_lock(&buffer->device->lock);
-	buffer->references++;
-	pthread_mutex_unlock(&buffer->device->lock);
+	atomic_fetch_add(&buffer->references, 1);
 	return buffer;
 }
 
 void accel_buffer_unref(struct accel_buffer *buffer)
 {
 	struct accel_device *device = buffer->device;
-	unsigned int left;
 
-	pthread_mutex_lock(&device->lock);
-	left = --buffer->references;
-	if (!left)
-		device->ops->memory_free(device->state, buffer->object);
-	pthread_mutex_unlock(&device->lock);
-	if (left)
+	if (atomic_fetch_sub(&buffer->references, 1) != 1)
 		return;
-	free(buffer);
+	accel_device_free_buffer(device, buffer);
 	accel_device_unref(device);
 }
 

@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "accel_priv.h"
+#include "thread.h"
 
 /* "auto" tries them in this order. */
 static const struct accel_transport_ops *const transports[] = {
@@ -32,13 +34,16 @@ void accel_device_message(struct accel_device *device, const char *format, ...)
 {
 	va_list arguments;
 	char line[512];
+	int held;
 
 	if (!device->message)
 		return;
 	va_start(arguments, format);
 	vsnprintf(line, sizeof(line), format, arguments);
 	va_end(arguments);
+	held = accel_thread_hold_cancel();
 	device->message(device->message_data, line);
+	accel_thread_allow_cancel(held);
 }
 
 static void device_message_open(struct accel_device *device, const char *scheme,
@@ -116,7 +121,7 @@ int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **out)
 {
 	struct accel_device *device;
-	int err;
+	int err, held;
 
 	device = malloc(sizeof(*device));
 	if (!device)
@@ -124,9 +129,12 @@ int accel_device_new(const char *name, accel_message_fn message, void *data,
 	*device = (struct accel_device){
 		.message = message,
 		.message_data = data,
+		.process = getpid(),
 		.references = 1,
 	};
+	held = accel_thread_hold_cancel();
 	err = device_open_name(device, name ? name : "auto");
+	accel_thread_allow_cancel(held);
 	if (err)
 		goto err_free;
 	pthread_mutex_init(&device->lock, NULL);
@@ -140,36 +148,107 @@ err_free:
 
 int accel_device_list(accel_device_list_fn found, void *data)
 {
+	int err = 0, held = accel_thread_hold_cancel();
 	size_t i;
-	int err = 0;
 
 	for (i = 0; i < TRANSPORTS && !err; i++)
 		if (transports[i]->list)
 			err = transports[i]->list(found, data);
+	accel_thread_allow_cancel(held);
 	return err;
+}
+
+/* ---- calls of the transport ---- */
+
+bool accel_device_is_inherited(const struct accel_device *device)
+{
+	return device->process != getpid();
+}
+
+/* With the lock held. */
+static void device_free_memory(struct accel_device *device)
+{
+	struct accel_buffer *buffer = atomic_exchange(&device->freed, NULL);
+
+	while (buffer) {
+		struct accel_buffer *next = buffer->next;
+
+		device->ops->memory_free(device->state, buffer->object);
+		free(buffer);
+		buffer = next;
+	}
+}
+
+/* What was freed while the lock was held was left to its holder, who may just have let it go. */
+static void device_free_left(struct accel_device *device)
+{
+	while (atomic_load(&device->freed) && !pthread_mutex_trylock(&device->lock)) {
+		device_free_memory(device);
+		pthread_mutex_unlock(&device->lock);
+	}
+}
+
+int accel_device_enter(struct accel_device *device, int *held)
+{
+	if (accel_device_is_inherited(device))
+		return -ENODEV;
+	*held = accel_thread_hold_cancel();
+	pthread_mutex_lock(&device->lock);
+	device_free_memory(device);
+	return 0;
+}
+
+void accel_device_leave(struct accel_device *device, int held)
+{
+	pthread_mutex_unlock(&device->lock);
+	device_free_left(device);
+	accel_thread_allow_cancel(held);
+}
+
+void accel_device_free_buffer(struct accel_device *device, struct accel_buffer *buffer)
+{
+	int held;
+
+	if (accel_device_is_inherited(device)) {
+		free(buffer);
+		return;
+	}
+	buffer->next = atomic_load(&device->freed);
+	while (!atomic_compare_exchange_weak(&device->freed, &buffer->next, buffer))
+		;
+	held = accel_thread_hold_cancel();
+	device_free_left(device);
+	accel_thread_allow_cancel(held);
 }
 
 /* ---- lifetime ---- */
 
 struct accel_device *accel_device_ref(struct accel_device *device)
 {
-	pthread_mutex_lock(&device->lock);
-	device->references++;
-	pthread_mutex_unlock(&device->lock);
+	atomic_fetch_add(&device->references, 1);
 	return device;
+}
+
+/* What a child of fork() has of the transport is a copy, whose threads and locks are not its
+ * own, and a board that is not its own either. */
+static void device_close(struct accel_device *device)
+{
+	int held;
+
+	if (accel_device_is_inherited(device))
+		return;
+	held = accel_thread_hold_cancel();
+	device_free_memory(device);
+	device->ops->close(device->state);
+	accel_thread_allow_cancel(held);
+	pthread_mutex_destroy(&device->lock);
 }
 
 void accel_device_unref(struct accel_device *device)
 {
-	unsigned int left;
-
-	pthread_mutex_lock(&device->lock);
-	left = --device->references;
-	pthread_mutex_unlock(&device->lock);
-	if (left)
+	if (atomic_fetch_sub(&device->references, 1) != 1)
 		return;
-	device->ops->close(device->state);
-	pthread_mutex_destroy(&device->lock);
+	device_close(device);
 	free(device);
 }
 
@@ -193,10 +272,14 @@ void accel_device_info(struct accel_device *device, struct accel_device_info *in
 
 int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks)
 {
+	int err, held;
+
 	if (!device->ops->clocks)
 		return -ENOTSUP;
-	pthread_mutex_lock(&device->lock);
-	device->ops->clocks(device->state, clocks);
-	pthread_mutex_unlock(&device->lock);
-	return 0;
+	if (accel_device_is_inherited(device))
+		return -ENODEV;
+	held = accel_thread_hold_cancel();
+	err = device->ops->clocks(device->state, clocks);
+	accel_thread_allow_cancel(held);
+	return err;
 }

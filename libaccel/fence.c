@@ -4,35 +4,55 @@
 #include <string.h>
 
 #include "accel_priv.h"
+#include "thread.h"
+
+/* A job that has not been waited for. */
+struct fence_job {
+	struct fence_job *next;
+	uint64_t sequence;
+	struct accel_buffer *buffer[GLOSS_SLOTS];	/* a reference each */
+	unsigned int buffers;
+};
 
 struct accel_fence {
 	struct accel_device *device;
-	struct accel_buffer *buffer[GLOSS_SLOTS];	/* of the job, a reference each */
-	unsigned int buffers;
-	uint64_t sequence;
-	bool running;
-	int result;			/* of wait, once the job has ended */
-	struct accel_fence_status status;
+	struct fence_job *first, **last;	/* in the order in which the board has them */
+	struct fence_job *spare;	/* for accel_fence_add */
+	int result;			/* of the first job that failed, or else of the last */
+	struct accel_fence_status status;	/* likewise */
 };
 
 struct accel_fence *accel_fence_new(struct accel_device *device)
 {
 	struct accel_fence *fence = calloc(1, sizeof(*fence));
 
-	if (fence)
-		fence->device = accel_device_ref(device);
+	if (!fence)
+		return NULL;
+	fence->device = accel_device_ref(device);
+	fence->last = &fence->first;
 	return fence;
 }
 
-void accel_fence_begin(struct accel_fence *fence, uint64_t sequence,
-		       struct accel_buffer *const *buffer, unsigned int buffers)
+int accel_fence_reserve(struct accel_fence *fence)
 {
-	while (fence->buffers < buffers) {
-		fence->buffer[fence->buffers] = buffer[fence->buffers];
-		fence->buffers++;
+	if (!fence->spare)
+		fence->spare = malloc(sizeof(*fence->spare));
+	return fence->spare ? 0 : -ENOMEM;
+}
+
+void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
+		     struct accel_buffer *const *buffer, unsigned int buffers)
+{
+	struct fence_job *job = fence->spare;
+
+	fence->spare = NULL;
+	*job = (struct fence_job){ .sequence = sequence };
+	while (job->buffers < buffers) {
+		job->buffer[job->buffers] = buffer[job->buffers];
+		job->buffers++;
 	}
-	fence->sequence = sequence;
-	fence->running = true;
+	*fence->last = job;
+	fence->last = &job->next;
 }
 
 static const char *fence_fault_text(enum gloss_fault fault)
@@ -63,9 +83,20 @@ static void fence_message(struct accel_fence *fence, int err)
 		accel_device_message(fence->device, "the job was lost: %s", strerror(-err));
 }
 
+/* The first job has ended, or with an error nobody knows; it is the fence's no more. */
 static void fence_end(struct accel_fence *fence, int err, const struct gloss_status *status)
 {
-	fence->running = false;
+	struct fence_job *job = fence->first;
+
+	fence->first = job->next;
+	if (!fence->first)
+		fence->last = &fence->first;
+	while (job->buffers)
+		accel_buffer_unref(job->buffer[--job->buffers]);
+	free(job);
+	if (fence->result)
+		return;
+	fence->status = (struct accel_fence_status){ .fault = 0 };
 	if (!err)
 		fence->status = (struct accel_fence_status){
 			.fault = status->cause,
@@ -73,35 +104,82 @@ static void fence_end(struct accel_fence *fence, int err, const struct gloss_sta
 			.response_words = status->response_words,
 		};
 	fence->result = fence->status.fault ? -EIO : err;
-	while (fence->buffers)
-		accel_buffer_unref(fence->buffer[--fence->buffers]);
 	fence_message(fence, err);
+}
+
+/* What is left of a time-out that began at @start. */
+static int64_t fence_left(int64_t timeout_ns, int64_t start)
+{
+	int64_t passed;
+
+	if (timeout_ns <= 0)
+		return timeout_ns;
+	passed = accel_thread_now_ns() - start;
+	return passed < timeout_ns ? timeout_ns - passed : 0;
+}
+
+static int fence_wait_first(struct accel_fence *fence, int64_t timeout_ns)
+{
+	const struct accel_device *device = fence->device;
+	struct gloss_status ended;
+	int err, held;
+
+	if (accel_device_is_inherited(device))
+		return -ENODEV;
+	held = accel_thread_hold_cancel();
+	err = device->ops->wait(device->state, fence->first->sequence, timeout_ns, &ended);
+	accel_thread_allow_cancel(held);
+	if (err != -ETIMEDOUT)
+		fence_end(fence, err, &ended);
+	return err == -ETIMEDOUT ? err : 0;
 }
 
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 		     struct accel_fence_status *status)
 {
-	struct accel_device *device = fence->device;
-	struct gloss_status ended;
+	int64_t start = timeout_ns > 0 ? accel_thread_now_ns() : 0, left = timeout_ns;
 	int err;
 
-	if (fence->running) {
-		err = device->ops->wait(device->state, fence->sequence, timeout_ns, &ended);
-		if (err == -ETIMEDOUT)
+	while (fence->first) {
+		err = fence_wait_first(fence, left);
+		if (err)
 			return err;
-		fence_end(fence, err, &ended);
+		left = fence_left(timeout_ns, start);
 	}
 	if (status)
 		*status = fence->status;
 	return fence->result;
 }
 
+/* In a child of fork() nothing ends any more. */
+static void fence_forget(struct accel_fence *fence)
+{
+	static const struct gloss_status unknown;
+
+	while (fence->first)
+		fence_end(fence, -ENODEV, &unknown);
+}
+
 void accel_fence_free(struct accel_fence *fence)
 {
 	if (!fence)
 		return;
-	if (fence->running)
-		accel_fence_wait(fence, -1, NULL);
+	if (accel_fence_wait(fence, -1, NULL) == -ENODEV)
+		fence_forget(fence);
 	accel_device_unref(fence->device);
+	free(fence->spare);
 	free(fence);
+}
+
+int accel_fence_give(struct accel_fence *fence, struct accel_fence **out)
+{
+	int err;
+
+	if (out) {
+		*out = fence;
+		return 0;
+	}
+	err = accel_fence_wait(fence, -1, NULL);
+	accel_fence_free(fence);
+	return err;
 }

@@ -52,7 +52,7 @@ FORCE:
 $(BUILD)/libaccel.so: $(ACCEL_OBJS) libaccel/libaccel.map
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(ACCEL_SONAME) \
-		-Wl,--version-script=libaccel/libaccel.map -Wl,-z,defs \
+		-Wl,--version-script=libaccel/libaccel.map -Wl,-z,defs -Wl,-z,nodelete \
 		$(ACCEL_OBJS) $(ACCEL_LIBS) -o $(BUILD)/$(ACCEL_SONAME)
 	$(Q)ln -sf $(ACCEL_SONAME) $@
 

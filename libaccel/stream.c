@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "accel_priv.h"
+#include "thread.h"
 
 #define STREAM_ROOM_FIRST 1024u
 
@@ -27,6 +28,11 @@ int accel_stream_new(struct accel_device *device, struct accel_stream **out)
 	return 0;
 }
 
+struct accel_device *accel_stream_device(const struct accel_stream *stream)
+{
+	return stream->device;
+}
+
 void accel_stream_free(struct accel_stream *stream)
 {
 	if (!stream)
@@ -42,6 +48,16 @@ void accel_stream_reset(struct accel_stream *stream)
 	stream->count = 0;
 	while (stream->slots)
 		accel_buffer_unref(stream->buffer[--stream->slots]);
+}
+
+/* The place of @words in those of the stream; (size_t)-1: they are not among them. */
+static size_t stream_place(const struct accel_stream *stream, const uint32_t *words)
+{
+	uintptr_t from = (uintptr_t)stream->words, at = (uintptr_t)words;
+
+	if (!from || at < from || at >= from + stream->count * sizeof(*words))
+		return (size_t)-1;
+	return (at - from) / sizeof(*words);
 }
 
 /* Room for @count words in all; it doubles, so that a word costs the same in the end. */
@@ -64,6 +80,7 @@ static int stream_reserve(struct accel_stream *stream, size_t count)
 
 int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t count)
 {
+	size_t place = stream_place(stream, words);
 	int err;
 
 	if (!count)
@@ -76,6 +93,8 @@ int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t
 	err = stream_reserve(stream, stream->count + count);
 	if (err)
 		return err;
+	if (place != (size_t)-1)
+		words = stream->words + place;
 	memcpy(stream->words + stream->count, words, count * sizeof(*words));
 	stream->count += count;
 	return 0;
@@ -138,23 +157,37 @@ static int stream_start(const struct accel_stream *stream, uint32_t *response,
 	};
 	struct accel_device *device = stream->device;
 	unsigned int i;
-	int err;
+	int err, held;
 
 	for (i = 0; i < stream->slots; i++)
 		slot[i] = (struct accel_transport_slot){
 			.object = stream->buffer[i]->object,
 			.rights = (enum gloss_rights)stream->rights[i],
 		};
-	pthread_mutex_lock(&device->lock);
+	err = accel_device_enter(device, &held);
+	if (err)
+		return err;
 	err = device->ops->submit(device->state, &job, sequence);
-	pthread_mutex_unlock(&device->lock);
+	accel_device_leave(device, held);
 	return err;
 }
 
-int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
-			struct accel_fence **out)
+/* Without the device's lock, for others may have it meanwhile. */
+static void stream_wait_for_room(const struct accel_stream *stream)
 {
-	struct accel_fence *fence;
+	const struct accel_device *device = stream->device;
+	int held;
+
+	if (!device->ops->wait_for_room || accel_device_is_inherited(device))
+		return;
+	held = accel_thread_hold_cancel();
+	device->ops->wait_for_room(device->state);
+	accel_thread_allow_cancel(held);
+}
+
+int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
+		      struct accel_fence *fence)
+{
 	uint64_t sequence;
 	int err;
 
@@ -163,23 +196,32 @@ int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_
 				     response_words);
 		return -EINVAL;
 	}
-	fence = accel_fence_new(stream->device);
-	if (!fence)
-		return -ENOMEM;
+	err = accel_fence_reserve(fence);
+	if (err)
+		return err;
+	stream_wait_for_room(stream);
 	err = stream_start(stream, response, response_words, &sequence);
 	if (err) {
 		accel_device_message(stream->device, "a job was not taken: %s", strerror(-err));
-		accel_fence_free(fence);
 		return err;
 	}
-	accel_fence_begin(fence, sequence, stream->buffer, stream->slots);
+	accel_fence_add(fence, sequence, stream->buffer, stream->slots);
 	stream->slots = 0;
 	stream->count = 0;
-	if (out) {
-		*out = fence;
-		return 0;
-	}
-	err = accel_fence_wait(fence, -1, NULL);
+	return 0;
+}
+
+int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
+			struct accel_fence **out)
+{
+	struct accel_fence *fence = accel_fence_new(stream->device);
+	int err;
+
+	if (!fence)
+		return -ENOMEM;
+	err = accel_stream_send(stream, response, response_words, fence);
+	if (!err)
+		return accel_fence_give(fence, out);
 	accel_fence_free(fence);
 	return err;
 }

@@ -22,6 +22,27 @@ int accel_thread_new(pthread_t *thread, void *(*run)(void *), void *argument)
 	return err ? -ENOMEM : 0;
 }
 
+int accel_thread_hold_cancel(void)
+{
+	int held;
+
+	pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &held);
+	return held;
+}
+
+void accel_thread_allow_cancel(int held)
+{
+	pthread_setcancelstate(held, NULL);
+}
+
+int64_t accel_thread_now_ns(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return now.tv_sec * (int64_t)NS_PER_S + now.tv_nsec;
+}
+
 void accel_thread_condition_init(pthread_cond_t *condition)
 {
 	pthread_condattr_t attributes;

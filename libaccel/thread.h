@@ -10,6 +10,16 @@
 /* A thread that no signal is delivered to: those are for the program's own. 0, or -ENOMEM. */
 int accel_thread_new(pthread_t *thread, void *(*run)(void *), void *argument);
 
+/*
+ * Between these two the calling thread is not cancelled, which would leave locks taken and jobs
+ * without an owner. The first returns what the second takes.
+ */
+int accel_thread_hold_cancel(void);
+void accel_thread_allow_cancel(int held);
+
+/* CLOCK_MONOTONIC */
+int64_t accel_thread_now_ns(void);
+
 /* A condition for accel_thread_wait, which waits against a clock that nobody sets. */
 void accel_thread_condition_init(pthread_cond_t *condition);
 

@@ -4,9 +4,11 @@
  * functions; device.c holds the list of tables and nothing else in the library
  * knows which one it talks to.
  *
- * The library calls one function of a device at a time (device->lock), except
- * wait, which any number of threads may be in while others submit. Errors are
- * -errno; a transport never prints, exits or keeps what it was lent.
+ * The library calls one function of a device at a time, and these do not wait for
+ * the board; except wait, wait_for_room and clocks, which any number of threads may
+ * be in at any time. It calls none in a child of fork(), and all with the thread's
+ * cancellation disabled. Errors are -errno; a transport never prints, exits or keeps
+ * what it was lent.
  */
 #ifndef ACCEL_TRANSPORT_H
 #define ACCEL_TRANSPORT_H
@@ -83,17 +85,21 @@ struct accel_transport_ops {
 	 */
 	int (*memory_new)(void *state, uint64_t size, uint64_t *object);
 
-	/* No job that names @object is outstanding. */
+	/* Every job that names @object has ended. */
 	void (*memory_free)(void *state, uint64_t object);
+
+	/*
+	 * Called before submit. If a lot is queued, waits until the board has
+	 * some of that, or has failed. May be NULL.
+	 */
+	void (*wait_for_room)(void *state);
 
 	/*
 	 * Starts a job. The stream and slot list are the caller's again on
 	 * return; the response buffer belongs to the board until the job has
-	 * been waited for. Stores a number for wait in *@sequence. When a lot
-	 * is queued it may wait until the board has some of that, or has failed,
-	 * which takes no other call.
-	 * -ENODEV: the board is gone; -ENOMEM; -EINVAL: not a job. Then it has
-	 * no number, and nothing was lent.
+	 * been waited for. Stores a number for wait in *@sequence.
+	 * -ENODEV: the board is gone; -EIO: it fails again and again; -ENOMEM;
+	 * -EINVAL: not a job. Then it has no number, and nothing was lent.
 	 */
 	int (*submit)(void *state, const struct accel_transport_job *job, uint64_t *sequence);
 
@@ -108,8 +114,11 @@ struct accel_transport_ops {
 	int (*wait)(void *state, uint64_t sequence, int64_t timeout_ns,
 		    struct gloss_status *status);
 
-	/* Clocks of all jobs that have ended. May be NULL: the board has no clock to count. */
-	void (*clocks)(void *state, struct accel_device_clocks *clocks);
+	/*
+	 * Clocks of all jobs that have ended. May be NULL: the board has no clock to count.
+	 * -ENOTSUP: so has this one; -EIO, -ENODEV.
+	 */
+	int (*clocks)(void *state, struct accel_device_clocks *clocks);
 };
 
 extern const struct accel_transport_ops accel_transport_drm;

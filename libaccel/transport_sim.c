@@ -258,13 +258,14 @@ static void transport_sim_info(void *state, struct accel_transport_info *info)
 		 info->tile_size, info->pixels_per_clock);
 }
 
-static void transport_sim_clocks(void *state, struct accel_device_clocks *clocks)
+static int transport_sim_clocks(void *state, struct accel_device_clocks *clocks)
 {
 	struct transport_sim *transport = state;
 
 	pthread_mutex_lock(&transport->lock);
 	*clocks = transport->clocks;
 	pthread_mutex_unlock(&transport->lock);
+	return 0;
 }
 
 const struct accel_transport_ops accel_transport_sim = {

@@ -17,6 +17,7 @@
 #include "usb_node.h"
 
 #define MEMORY_PAGES_MAX (1u << 20)
+#define ATTEMPTS 3			/* to submit a job */
 
 /* A range of board memory; the library knows it by its base. */
 struct usb_object {
@@ -195,14 +196,17 @@ static int transport_usb_memory_new(void *state, uint64_t size, uint64_t *object
 	return 0;
 }
 
+/*
+ * The range may be used again at once, though it is still being cleared: what clears it for its
+ * next owner, and that one's jobs, come after that.
+ */
 static void transport_usb_memory_free(void *state, uint64_t base)
 {
 	struct transport_usb *transport = state;
 	struct usb_object **link = usb_object_find(transport, base), *object = *link;
-	struct gloss_status status;
 
 	if (object->clearing)
-		accel_usb_link_wait(transport->link, object->clearing, -1, &status);
+		accel_usb_link_forget(transport->link, object->clearing);
 	*link = object->next;
 	free(object);
 	accel_range_free(&transport->ranges, base);
@@ -344,19 +348,20 @@ static int usb_fill_slots(struct transport_usb *transport, const struct accel_tr
 	return 0;
 }
 
+/* A board that fails again and again between a clearing job and the job fails this one, too. */
 static int usb_job_submit(struct transport_usb *transport, struct accel_usb_job *job,
 			  const struct accel_transport_job *from, uint64_t *sequence)
 {
-	uint64_t losses;
-	int err;
+	int attempt, err = -EAGAIN;
 
-	do {
-		losses = accel_usb_link_losses(transport->link);
+	for (attempt = 0; attempt < ATTEMPTS && err == -EAGAIN; attempt++) {
+		uint64_t losses = accel_usb_link_losses(transport->link);
+
 		err = usb_clear_slots(transport, from, losses);
 		if (!err)
 			err = accel_usb_link_submit(transport->link, job, losses, sequence);
-	} while (err == -EAGAIN);
-	return err;
+	}
+	return err == -EAGAIN ? -EIO : err;
 }
 
 static int transport_usb_submit(void *state, const struct accel_transport_job *from,
@@ -384,6 +389,13 @@ static int transport_usb_submit(void *state, const struct accel_transport_job *f
 	return err;
 }
 
+static void transport_usb_wait_for_room(void *state)
+{
+	struct transport_usb *transport = state;
+
+	accel_usb_link_wait_for_room(transport->link);
+}
+
 static int transport_usb_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 			      struct gloss_status *status)
 {
@@ -400,6 +412,7 @@ const struct accel_transport_ops accel_transport_usb = {
 	.info = transport_usb_info,
 	.memory_new = transport_usb_memory_new,
 	.memory_free = transport_usb_memory_free,
+	.wait_for_room = transport_usb_wait_for_room,
 	.submit = transport_usb_submit,
 	.wait = transport_usb_wait,
 };

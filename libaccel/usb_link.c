@@ -14,6 +14,9 @@
 /* With as much in memory to be sent, a further job waits: more would not be sent any sooner. */
 #define QUEUED_MAX (4u << 20)
 
+/* A board that has failed so often, and done no job meanwhile, is of no use. */
+#define FAILURES_MAX 16
+
 /* When the thread has seen no job for a while, it looks no more, but is called. */
 #define SLEEP_MS 60000
 
@@ -41,12 +44,32 @@ void accel_usb_job_free(struct accel_usb_link *link, struct accel_usb_job *job)
 }
 
 /* The functions from here on are called with the lock held. */
+/* Jobs end nearly in their order, so it is among the first. */
+static void link_remove(struct accel_usb_link *link, const struct accel_usb_job *job)
+{
+	struct accel_usb_job **at = &link->first;
+
+	while (*at != job)
+		at = &(*at)->next;
+	*at = job->next;
+	if (!job->next)
+		link->last = at;
+}
+
 static void job_end(struct accel_usb_link *link, struct accel_usb_job *job, int error)
 {
+	link_remove(link, job);
 	job->ended = true;
 	job->error = error;
 	link->running--;
-	pthread_cond_broadcast(&link->ended);
+	if (!error && !job->must)
+		link->failures = 0;
+	if (job->forgotten) {
+		accel_job_table_take(&link->jobs, &job->entry);
+		accel_usb_job_free(link, job);
+	} else {
+		pthread_cond_broadcast(&link->ended);
+	}
 }
 
 void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job)
@@ -58,17 +81,14 @@ void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job 
 			job_end(link, job, 0);
 	}
 	if (link->waiting && link->queued < QUEUED_MAX)
-		pthread_cond_signal(&link->room);
+		pthread_cond_broadcast(&link->room);
 }
 
 /* Nothing of them is in flight any more. */
 static void link_lose(struct accel_usb_link *link, int error)
 {
-	struct accel_usb_job *job;
-
-	for (job = link->first; job; job = job->next)
-		if (!job->ended)
-			job_end(link, job, error);
+	while (link->first)
+		job_end(link, link->first, error);
 	link->sending = link->answering = NULL;
 	link->queued = 0;
 	link->losses++;
@@ -114,7 +134,7 @@ static void link_recover(struct accel_usb_link *link)
 	accel_usb_link_drain(link);
 	err = accel_usb_link_sync(link);
 	pthread_mutex_lock(&link->lock);
-	if (err)
+	if (err || ++link->failures >= FAILURES_MAX)
 		link->state = USB_LINK_GONE;
 	else
 		link_begin(link);
@@ -167,6 +187,7 @@ static void link_init_locks(struct accel_usb_link *link)
 static void link_destroy(struct accel_usb_link *link)
 {
 	accel_usb_transfers_fini(link);
+	accel_job_table_fini(&link->jobs, NULL);
 	accel_usb_pool_fini(&link->pool);
 	pthread_cond_destroy(&link->ended);
 	pthread_cond_destroy(&link->room);
@@ -183,6 +204,7 @@ int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **out)
 		return -ENOMEM;
 	link->node = node;
 	link->last = &link->first;
+	accel_job_table_init(&link->jobs);
 	link_init_locks(link);
 	err = accel_usb_transfers_init(link);
 	if (!err)
@@ -228,21 +250,22 @@ uint64_t accel_usb_link_losses(struct accel_usb_link *link)
 	return losses;
 }
 
-/* With the lock held, which it gives up while it waits. */
-static void link_wait_for_room(struct accel_usb_link *link)
+void accel_usb_link_wait_for_room(struct accel_usb_link *link)
 {
-	link->waiting = true;
+	pthread_mutex_lock(&link->lock);
+	link->waiting++;
 	while (link->state != USB_LINK_GONE && link->queued >= QUEUED_MAX)
 		pthread_cond_wait(&link->room, &link->lock);
-	link->waiting = false;
+	link->waiting--;
+	pthread_mutex_unlock(&link->lock);
 }
 
 /* With the lock held. */
 static void link_append(struct accel_usb_link *link, struct accel_usb_job *job)
 {
-	job->sequence = ++link->sequence;
+	accel_job_table_put(&link->jobs, &job->entry, ++link->sequence);
 	job->answer.sequence = job->message->word[GLOSS_USB_JOB_SEQUENCE_WORD] =
-		(uint32_t)job->sequence;
+		(uint32_t)link->sequence;
 	*link->last = job;
 	link->last = &job->next;
 	if (!link->sending)
@@ -263,14 +286,13 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 	int err = 0;
 
 	pthread_mutex_lock(&link->lock);
-	link_wait_for_room(link);
 	if (link->state == USB_LINK_GONE)
 		err = -ENODEV;
 	else if (link->losses != losses)
 		err = -EAGAIN;
 	if (!err) {
 		link_append(link, job);
-		*sequence = job->sequence;
+		*sequence = link->sequence;
 	}
 	pthread_mutex_unlock(&link->lock);
 	return err;
@@ -286,48 +308,46 @@ int64_t accel_usb_link_now_ms(void)
 	return now.tv_sec * (int64_t)MS_PER_S + now.tv_nsec / NS_PER_MS;
 }
 
-/* The link to the job, or NULL. With the lock held. */
-static struct accel_usb_job **link_find(struct accel_usb_link *link, uint64_t sequence)
+/* The job's result, of which nothing is kept. */
+static int job_result(struct accel_usb_link *link, struct accel_usb_job *job,
+		      struct gloss_status *status)
 {
-	struct accel_usb_job **at;
+	int err = job->error;
 
-	for (at = &link->first; *at; at = &(*at)->next)
-		if ((*at)->sequence == sequence)
-			return at;
-	return NULL;
-}
-
-/* Takes an ended job off the list. With the lock held. */
-static struct accel_usb_job *link_take(struct accel_usb_link *link, uint64_t sequence)
-{
-	struct accel_usb_job **at = link_find(link, sequence);
-	struct accel_usb_job *job = *at;
-
-	*at = job->next;
-	if (!job->next)
-		link->last = at;
-	return job;
+	*status = (struct gloss_status){ .cause = GLOSS_FAULT_NONE };
+	if (!err)
+		*status = job->answer.status;
+	accel_usb_job_free(link, job);
+	return err;
 }
 
 int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t timeout_ns,
 			struct gloss_status *status)
 {
-	struct accel_usb_job **at, *job = NULL;
-	int err;
+	struct accel_usb_job *job;
+	int err = -EINVAL;
 
 	pthread_mutex_lock(&link->lock);
-	at = link_find(link, sequence);
-	err = at ? accel_thread_wait(&link->ended, &link->lock, &(*at)->ended, timeout_ns) :
-		   -EINVAL;
+	job = (struct accel_usb_job *)accel_job_table_find(&link->jobs, sequence);
+	if (job)
+		err = accel_thread_wait(&link->ended, &link->lock, &job->ended, timeout_ns);
 	if (!err)
-		job = link_take(link, sequence);
+		accel_job_table_take(&link->jobs, &job->entry);
 	pthread_mutex_unlock(&link->lock);
-	if (!job)
-		return err;
-	*status = (struct gloss_status){ .cause = GLOSS_FAULT_NONE };
-	err = job->error;
-	if (!err)
-		*status = job->answer.status;
-	accel_usb_job_free(link, job);
-	return err;
+	return err ? err : job_result(link, job, status);
+}
+
+void accel_usb_link_forget(struct accel_usb_link *link, uint64_t sequence)
+{
+	struct accel_usb_job *job;
+
+	pthread_mutex_lock(&link->lock);
+	job = (struct accel_usb_job *)accel_job_table_find(&link->jobs, sequence);
+	if (job->ended) {
+		accel_job_table_take(&link->jobs, &job->entry);
+		accel_usb_job_free(link, job);
+	} else {
+		job->forgotten = true;
+	}
+	pthread_mutex_unlock(&link->lock);
 }

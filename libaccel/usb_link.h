@@ -10,15 +10,17 @@
 
 #include <pthread.h>
 
+#include "job_table.h"
 #include "usb_message.h"
 #include "usb_node.h"
 #include "usb_pool.h"
 
 struct accel_usb_job {
-	struct accel_usb_job *next;
-	uint64_t sequence;		/* the lower half of which the board has */
+	struct accel_job_entry entry;	/* first; the board has the lower half of its sequence */
+	struct accel_usb_job *next;	/* that has not ended */
 	struct accel_usb_answer answer;
 	bool must;			/* a fault in it is a failure of the board */
+	bool forgotten;			/* it is gone when it has ended */
 	bool answered;			/* to the end */
 	bool ended;			/* and nothing looks at it any more */
 	int error;			/* if it has ended so */
@@ -44,10 +46,12 @@ void accel_usb_job_free(struct accel_usb_link *link, struct accel_usb_job *job);
 /* How often all that was outstanding has been lost. */
 uint64_t accel_usb_link_losses(struct accel_usb_link *link);
 
+/* While more than a bound is queued, waits until that is sent, or lost, or the board gone. */
+void accel_usb_link_wait_for_room(struct accel_usb_link *link);
+
 /*
- * Sends a job, which is the link's from then on, and stores its number. While more than a bound
- * is queued it waits until that is sent, or lost. -EAGAIN: losses are not @losses any more;
- * -ENODEV. Then the job is still the caller's.
+ * Sends a job, which is the link's from then on, and stores its number. It does not wait.
+ * -EAGAIN: losses are not @losses any more; -ENODEV. Then the job is still the caller's.
  */
 int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job,
 			  uint64_t losses, uint64_t *sequence);
@@ -55,5 +59,7 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 /* As struct accel_transport_ops.wait. */
 int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t timeout_ns,
 			struct gloss_status *status);
+/* Nobody will wait for the job. */
+void accel_usb_link_forget(struct accel_usb_link *link, uint64_t sequence);
 
 #endif

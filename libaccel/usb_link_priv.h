@@ -61,11 +61,13 @@ struct accel_usb_link {
 	struct usb_watch watch;
 	uint64_t sequence;		/* of the last job */
 	uint64_t losses;
+	unsigned int failures;		/* since a job of the program's was done */
 	uint64_t moves;			/* changes with each job and transfer that is of use */
 	size_t queued;			/* bytes that are not sent */
-	bool waiting;			/* for less to be queued */
+	unsigned int waiting;		/* threads, for less to be queued */
 	unsigned int running;		/* jobs that have not ended */
-	struct accel_usb_job *first, **last;	/* in order, until waited for */
+	struct accel_job_table jobs;		/* until they were waited for */
+	struct accel_usb_job *first, **last;	/* that have not ended, in order */
 	struct accel_usb_job *sending;		/* the first not started as a whole */
 	struct accel_usb_job *answering;	/* the first not answered */
 };

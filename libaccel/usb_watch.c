@@ -18,8 +18,7 @@ static uint64_t watch_words(const struct accel_usb_link *link)
 	uint64_t words = 0;
 
 	for (job = link->first; job; job = job->next)
-		if (!job->ended)
-			words += (uint64_t)job->answer.stream_words + job->answer.response_words;
+		words += (uint64_t)job->answer.stream_words + job->answer.response_words;
 	return words;
 }
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Fences on a board whose answers the test chooses; faults on the model. */
+#include <unistd.h>
+
 #include "accel_priv.h"
 #include "accel_test.h"
 
@@ -8,6 +10,9 @@
 struct board {
 	int submit, wait;		/* answers */
 	int waits, memories;
+	int timeout_at;			/* the wait that is a time-out, 0: none */
+	int change_at;			/* after so many waits the status is changed; 0: never */
+	struct gloss_status changed;
 	int64_t timeout;		/* of the last wait */
 	struct gloss_status status;
 };
@@ -53,8 +58,9 @@ static int board_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 	assert_int_equal(sequence, 42);
 	board->waits++;
 	board->timeout = timeout_ns;
-	*status = board->status;
-	return board->wait;
+	*status = board->change_at && board->waits > board->change_at ? board->changed :
+									board->status;
+	return board->waits == board->timeout_at ? -ETIMEDOUT : board->wait;
 }
 
 static const struct accel_transport_ops board_ops = {
@@ -81,6 +87,7 @@ static int setup(void **state)
 	fixture->device->state = &fixture->board;
 	fixture->device->message = messages_take;
 	fixture->device->message_data = &fixture->messages;
+	fixture->device->process = getpid();
 	fixture->device->references = 1;
 	pthread_mutex_init(&fixture->device->lock, NULL);
 	*state = fixture;
@@ -215,6 +222,73 @@ static void buffers_of_a_job_go_when_it_has_ended(void **state)
 	accel_fence_free(fence);
 }
 
+/* ---- a fence of several jobs ---- */
+
+static struct accel_fence *send_three(struct fixture *fixture)
+{
+	struct accel_fence *fence = accel_fence_new(fixture->device);
+
+	assert_non_null(fence);
+	for (int i = 0; i < 3; i++)
+		assert_int_equal(accel_stream_send(fixture->stream, NULL, 0, fence), 0);
+	assert_int_equal(fixture->board.waits, 0);
+	return fence;
+}
+
+static void a_fence_of_several_jobs_waits_for_all(void **state)
+{
+	struct fixture *fixture = *state;
+	struct accel_fence *fence = send_three(fixture);
+
+	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(fixture->board.waits, 3);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(fixture->board.waits, 3);
+	accel_fence_free(fence);
+}
+
+static void a_fence_of_several_jobs_tells_of_the_first_that_failed(void **state)
+{
+	struct fixture *fixture = *state;
+	struct accel_fence *fence = send_three(fixture);
+	struct accel_fence_status status;
+
+	fixture->board.status = (struct gloss_status){ GLOSS_FAULT_SLOT, 17, 3 };
+	fixture->board.change_at = 1;
+	fixture->board.changed = (struct gloss_status){ GLOSS_FAULT_NONE, 4, 0 };
+	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(fixture->board.waits, 3);
+	assert_int_equal(status.fault, GLOSS_FAULT_SLOT);
+	assert_int_equal(status.offset, 17);
+	assert_int_equal(fixture->messages.count, 1);
+	accel_fence_free(fence);
+}
+
+static void a_fence_whose_second_job_runs_times_out_and_goes_on(void **state)
+{
+	struct fixture *fixture = *state;
+	struct accel_fence *fence = send_three(fixture);
+
+	fixture->board.timeout_at = 2;
+	assert_int_equal(accel_fence_wait(fence, 0, NULL), -ETIMEDOUT);
+	assert_int_equal(fixture->board.waits, 2);
+	assert_int_equal(accel_fence_wait(fence, 0, NULL), 0);
+	assert_int_equal(fixture->board.waits, 4);
+	accel_fence_free(fence);
+}
+
+/* It is one time, not one for each job. */
+static void the_time_of_a_wait_is_that_of_all_its_jobs(void **state)
+{
+	const int64_t timeout = INT64_C(1) << 40;
+	struct fixture *fixture = *state;
+	struct accel_fence *fence = send_three(fixture);
+
+	assert_int_equal(accel_fence_wait(fence, timeout, NULL), 0);
+	assert_true(fixture->board.timeout < timeout);
+	accel_fence_free(fence);
+}
+
 static void a_fence_outlives_the_name_of_its_device(void **state)
 {
 	struct messages messages;
@@ -230,6 +304,24 @@ static void a_fence_outlives_the_name_of_its_device(void **state)
 	accel_device_free(device);
 	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
 	accel_fence_free(fence);
+}
+
+/* In whatever order: it takes the same steps for each, see test_job_table.c. */
+static void many_fences_are_freed_newest_first(void **state)
+{
+	static struct accel_fence *fence[100000];
+	struct messages messages;
+	struct accel_device *device = device_open("model:", &messages);
+	struct accel_stream *stream;
+
+	(void)state;
+	assert_int_equal(accel_stream_new(device, &stream), 0);
+	for (int i = 0; i < 100000; i++)
+		assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence[i]), 0);
+	for (int i = 100000; i-- > 0;)
+		accel_fence_free(fence[i]);
+	accel_stream_free(stream);
+	accel_device_free(device);
 }
 
 /* ---- what the model makes of wrong streams ---- */
@@ -285,7 +377,12 @@ int main(void)
 		fence_test(a_board_that_is_gone_ends_the_job),
 		fence_test(a_job_that_is_not_taken_has_no_fence),
 		fence_test(buffers_of_a_job_go_when_it_has_ended),
+		fence_test(a_fence_of_several_jobs_waits_for_all),
+		fence_test(a_fence_of_several_jobs_tells_of_the_first_that_failed),
+		fence_test(a_fence_whose_second_job_runs_times_out_and_goes_on),
+		fence_test(the_time_of_a_wait_is_that_of_all_its_jobs),
 		cmocka_unit_test(a_fence_outlives_the_name_of_its_device),
+		cmocka_unit_test(many_fences_are_freed_newest_first),
 		cmocka_unit_test(a_fault_says_its_cause_and_its_word),
 	};
 

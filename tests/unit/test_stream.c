@@ -55,6 +55,26 @@ static void words_are_copied_one_after_the_other(void **state)
 	assert_int_equal(all[1999], 999);
 }
 
+/* They move when there is no room for twice as many. */
+static void words_of_the_stream_itself_may_be_emitted(void **state)
+{
+	struct fixture *fixture = *state;
+	const uint32_t first[3] = { 7, 8, 9 };
+	const uint32_t *all;
+	size_t count = 3;
+
+	assert_int_equal(accel_stream_emit(fixture->stream, first, 3), 0);
+	while (count < 100000) {
+		all = accel_stream_words(fixture->stream, &count);
+		assert_int_equal(accel_stream_emit(fixture->stream, all, count), 0);
+		all = accel_stream_words(fixture->stream, &count);
+		assert_int_equal(accel_stream_emit(fixture->stream, all + count - 3, 3), 0);
+	}
+	all = accel_stream_words(fixture->stream, &count);
+	for (size_t i = 0; i < count; i++)
+		assert_int_equal(all[i], 7 + i % 3);
+}
+
 static void a_stream_too_long_is_refused_before_its_words_are_read(void **state)
 {
 	struct fixture *fixture = *state;
@@ -309,6 +329,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		stream_test(words_are_copied_one_after_the_other),
+		stream_test(words_of_the_stream_itself_may_be_emitted),
 		stream_test(a_stream_too_long_is_refused_before_its_words_are_read),
 		stream_test(a_buffer_has_one_slot),
 		stream_test(rights_are_those_that_were_given),

@@ -421,7 +421,7 @@ static void *read_in_thread(void *data)
 	uint64_t sequence;
 
 	submitter->started = true;
-	submitter->err = ops->submit(submitter->state, &job, &sequence);
+	submitter->err = try_submit(submitter->state, &job, &sequence);
 	if (!submitter->err)
 		submitter->err = wait_for(submitter->state, sequence, &status);
 	return NULL;

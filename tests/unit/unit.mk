@@ -13,9 +13,13 @@ run-test_%: $(BUILD)/tests/unit/test_%
 -include $(wildcard $(BUILD)/tests/unit/*.d)
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_engine test_device test_buffer \
-	test_target test_state test_stream test_fence test_out_of_memory \
+	test_target test_state test_stream test_fence test_out_of_memory test_unload \
 	test_transport_sim test_transport_sim_core
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
+
+$(BUILD)/tests/unit/test_unload: ACCEL_CFLAGS += -DACCEL_SO='"$(BUILD)/libaccel.so"'
+$(BUILD)/tests/unit/test_unload: | $(BUILD)/libaccel.so
+run-test_unload: $(BUILD)/libaccel.so
 
 comma := ,
 OUT_OF_MEMORY_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, \
@@ -43,7 +47,7 @@ endif
 # Boards on USB, on the libusb of tests/usb, whose fragment builds most of these.
 ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
-	test_transport_usb_out_of_memory
+	test_transport_usb_wait test_transport_usb_out_of_memory test_process
 $(BUILD)/tests/unit/test_transport_usb_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
 ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
 UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
