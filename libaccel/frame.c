@@ -15,6 +15,7 @@ struct writer {
 	struct accel_tile_state now;	/* as the core has it at this place of the stream */
 	size_t words;			/* of this job */
 	uint64_t words_before, tiles;	/* of the jobs before; of all */
+	struct accel_fence *fence;	/* of all its jobs */
 	bool sent;			/* a job is on the board */
 };
 
@@ -116,19 +117,16 @@ static int tile_write(struct writer *writer, const struct accel_tile *tile, uint
 	return put(writer, words, 1 + GLOSS_TILE_END_WORDS);
 }
 
-/* Sends what has been written and waits for it, so that only the last job's fence is left. */
 static int job_end(struct writer *writer)
 {
-	struct accel_fence *fence;
-	int err = accel_stream_submit(writer->stream, NULL, 0, &fence);
+	int err = accel_stream_send(writer->stream, NULL, 0, writer->fence);
 
 	if (err)
 		return err;
 	writer->sent = true;
 	writer->words_before += writer->words;
-	err = accel_fence_wait(fence, -1, NULL);
-	accel_fence_free(fence);
-	return err;
+	writer->words = 0;
+	return 0;
 }
 
 static bool job_full(const struct writer *writer, const struct accel_tile *tile, size_t job_words)
@@ -161,6 +159,19 @@ static int tiles_write(struct writer *writer, size_t job_words)
 	return err;
 }
 
+/* Nobody is to take a frame of which a part was drawn for one that is there as a whole. */
+static int frame_fail(struct writer *writer, int err, bool *sent)
+{
+	accel_stream_reset(writer->stream);
+	accel_fence_free(writer->fence);
+	*sent = writer->sent;
+	if (!writer->sent || err != -ENOMEM)
+		return err;
+	accel_device_message(writer->target->device,
+			     "a part of the frame was drawn, there is no memory for the rest");
+	return -EIO;
+}
+
 int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
 		       const struct accel_target *target, size_t job_words,
 		       struct accel_draw_stats *stats, struct accel_fence **fence, bool *sent)
@@ -168,17 +179,20 @@ int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
 	struct writer writer = { .bin = bin, .stream = stream, .target = target };
 	int err = 0;
 
+	*sent = false;
+	writer.fence = accel_fence_new(accel_stream_device(stream));
+	if (!writer.fence)
+		return -ENOMEM;
 	if (bin->columns)
 		err = tiles_write(&writer, job_words);
 	if (!err)
-		err = accel_stream_submit(stream, NULL, 0, fence);
-	*sent = writer.sent || !err;
-	if (err) {
-		accel_stream_reset(stream);
-		return err;
-	}
+		err = job_end(&writer);
+	if (err)
+		return frame_fail(&writer, err, sent);
+	*fence = writer.fence;
+	*sent = true;
 	stats->tiles = writer.tiles;
-	stats->stream_words = writer.words_before + writer.words;
+	stats->stream_words = writer.words_before;
 	stats->records = bin->records;
 	return 0;
 }

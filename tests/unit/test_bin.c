@@ -66,14 +66,35 @@ static const struct accel_transport_ops *board;
 static struct accel_transport_ops spy;
 static uint32_t sent_words[65536];
 static uint32_t sent_count, sent_jobs;
+static uint32_t refused_job;		/* the one that there is no memory for, 0: none */
+static unsigned int waits;
 
 static int spy_submit(void *state, const struct accel_transport_job *job, uint64_t *sequence)
 {
 	assert_true(sent_count + job->stream_words <= sizeof(sent_words) / sizeof(*sent_words));
 	memcpy(sent_words + sent_count, job->stream, job->stream_words * sizeof(*sent_words));
+	if (sent_jobs + 1 == refused_job)
+		return -ENOMEM;
 	sent_count += job->stream_words;
 	sent_jobs++;
 	return board->submit(state, job, sequence);
+}
+
+static int spy_wait(void *state, uint64_t sequence, int64_t timeout_ns,
+		    struct gloss_status *status)
+{
+	waits++;
+	return board->wait(state, sequence, timeout_ns, status);
+}
+
+static void spy_begin(struct fixture *f)
+{
+	board = f->device->ops;
+	spy = *board;
+	spy.submit = spy_submit;
+	spy.wait = spy_wait;
+	f->device->ops = &spy;
+	sent_count = sent_jobs = refused_job = waits = 0;
 }
 
 static void submit(struct fixture *f, size_t job_words)
@@ -81,13 +102,10 @@ static void submit(struct fixture *f, size_t job_words)
 	struct accel_fence *fence;
 	bool sent;
 
-	board = f->device->ops;
-	spy = *board;
-	spy.submit = spy_submit;
-	f->device->ops = &spy;
-	sent_count = sent_jobs = 0;
+	spy_begin(f);
 	assert_int_equal(accel_frame_submit(&f->bin, f->stream, f->target, job_words, &f->stats,
 					    &fence, &sent), 0);
+	assert_int_equal(waits, 0);
 	f->device->ops = board;
 	assert_true(sent);
 	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
@@ -378,6 +396,27 @@ static void a_frame_in_many_jobs_is_the_same_picture(void **state)
 	assert_memory_equal(depth[0], depth[1], sizeof(depth[0]));
 }
 
+static void memory_that_is_short_is_told_from_a_part_that_was_drawn(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_fence *fence = NULL;
+	bool sent;
+
+	clear(f, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, 0, 0xffffff);
+	for (uint32_t job = 1; job <= 8; job++) {
+		spy_begin(f);
+		refused_job = job;
+		assert_int_equal(accel_frame_submit(&f->bin, f->stream, f->target, 1, &f->stats,
+						    &fence, &sent), job == 1 ? -ENOMEM : -EIO);
+		assert_int_equal(sent, job > 1);
+		assert_int_equal(sent_jobs, job - 1);
+		f->device->ops = board;
+		assert_null(fence);
+	}
+	submit(f, 1);
+	assert_int_equal(sent_jobs, 8);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -402,6 +441,8 @@ int main(void)
 		cmocka_unit_test_setup_teardown(many_records_keep_their_order, setup, teardown),
 		cmocka_unit_test_setup_teardown(a_frame_in_many_jobs_is_the_same_picture, setup,
 						teardown),
+		cmocka_unit_test_setup_teardown(
+			memory_that_is_short_is_told_from_a_part_that_was_drawn, setup, teardown),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
