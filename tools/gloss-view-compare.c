@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "gloss-view.h"
@@ -11,7 +10,6 @@
 struct sheet {
 	struct picture picture;		/* all panels, side by side */
 	struct phong_frame reference;
-	uint32_t *depth;
 };
 
 static int out_of_memory(void)
@@ -40,12 +38,7 @@ static int add_drawn(struct view *view, struct sheet *sheet, int number, enum ac
 	ret = view_draw(view, shading, panel);
 	if (ret != VIEW_OK)
 		return ret;
-	if (accel_target_read_depth(view->target, sheet->depth,
-				    panel->width * sizeof(*sheet->depth))) {
-		view_error("drawing failed", view->options->device, "depth can not be read");
-		return VIEW_FAILED;
-	}
-	quality_add(&quality, &sheet->reference, panel->pixel, sheet->depth);
+	quality_add(&quality, &sheet->reference, panel->pixel, view->depth);
 	printf("%-10s NMSE %.2e, worst pixel off by %.0f of 255 at %d,%d\n", name,
 	       quality_nmse(&quality), quality.worst, quality.worst_x, quality.worst_y);
 	place(sheet, number, panel, name);
@@ -76,8 +69,7 @@ int view_compare(struct view *view, const char *path)
 	struct picture panel = { 0 };
 	int ret;
 
-	sheet.depth = malloc((size_t)width * height * sizeof(*sheet.depth));
-	if (!sheet.depth || picture_new(width, height, &panel) ||
+	if (picture_new(width, height, &panel) ||
 	    picture_new(width * 3, height, &sheet.picture) ||
 	    phong_frame_new(&view->scene, true, &sheet.reference))
 		ret = out_of_memory();
@@ -88,6 +80,5 @@ int view_compare(struct view *view, const char *path)
 	phong_frame_free(&sheet.reference);
 	picture_free(&sheet.picture);
 	picture_free(&panel);
-	free(sheet.depth);
 	return ret;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 /* The device and what is drawn on it. */
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "device.h"
@@ -36,12 +38,18 @@ static int open_mesh(struct view *view)
 	}
 	mesh_bounds(&view->mesh, view->centre, &view->radius);
 	/* Its inverse scales the mesh, and must be a number too. */
-	if (isfinite(view->radius) && view->radius > 1e-30f) {
-		mesh_rescale(&view->mesh, view->centre, &view->radius);
-		return VIEW_OK;
+	if (!isfinite(view->radius) || view->radius < 1e-30f) {
+		view_error("mesh has no size", name,
+			   "give one whose points are apart, and less than 1e38");
+		return VIEW_FAILED;
 	}
-	view_error("mesh has no size", name, "give one whose points are apart, and less than 1e38");
-	return VIEW_FAILED;
+	if (!mesh_has_area(&view->mesh)) {
+		view_error("nothing of the mesh is visible", name,
+			   "all its triangles are points or lines, give one with faces");
+		return VIEW_FAILED;
+	}
+	mesh_rescale(&view->mesh, view->centre, &view->radius);
+	return VIEW_OK;
 }
 
 static void open_scene(struct view *view)
@@ -55,7 +63,33 @@ static void open_scene(struct view *view)
 	scene->cull = options->two_sided ? ACCEL_CULL_NONE : ACCEL_CULL_BACK;
 	scene->material[0] = scene->material[1] = options->material;
 	memcpy(scene->background, options->background, sizeof(scene->background));
+	view_camera_frame(view);
 	view_camera_set(view, 0);
+}
+
+static int at_most(int size)
+{
+	return size < ACCEL_TARGET_SIZE_MAX ? size : ACCEL_TARGET_SIZE_MAX;
+}
+
+static bool in_parts(const struct view_options *options)
+{
+	return options->width > ACCEL_TARGET_SIZE_MAX || options->height > ACCEL_TARGET_SIZE_MAX;
+}
+
+/* Memory for what is read back. */
+static int open_pictures(struct view *view)
+{
+	const struct view_options *options = view->options;
+	size_t pixels = (size_t)options->width * options->height;
+	bool depth = options->stats || options->compare || (options->out && !options->turntable);
+
+	if (in_parts(options) &&
+	    picture_new(at_most(options->width), at_most(options->height), &view->part))
+		return failed("out of memory", "picture", -ENOMEM);
+	if (depth)
+		view->depth = malloc(pixels * sizeof(*view->depth));
+	return depth && !view->depth ? failed("out of memory", "picture", -ENOMEM) : VIEW_OK;
 }
 
 static int open_device(struct view *view)
@@ -66,7 +100,8 @@ static int open_device(struct view *view)
 
 	if (device_open("gloss-view", name, &view->device))
 		return VIEW_FAILED;
-	ret = accel_target_new(view->device, options->width, options->height, &view->target);
+	ret = accel_target_new(view->device, at_most(options->width), at_most(options->height),
+			       &view->target);
 	if (ret)
 		return failed("no memory for the picture on device", name, ret);
 	ret = accel_draw_new(view->device, &view->draw);
@@ -81,6 +116,8 @@ int view_open(struct view *view, const struct view_options *options)
 	view->options = options;
 	ret = open_mesh(view);
 	if (ret == VIEW_OK)
+		ret = open_pictures(view);
+	if (ret == VIEW_OK)
 		ret = open_device(view);
 	if (ret == VIEW_OK)
 		open_scene(view);
@@ -92,6 +129,8 @@ void view_close(struct view *view)
 	accel_draw_free(view->draw);
 	accel_target_free(view->target);
 	accel_device_free(view->device);
+	picture_free(&view->part);
+	free(view->depth);
 	mesh_free(&view->mesh);
 }
 
@@ -102,17 +141,85 @@ static uint64_t clocks(struct view *view)
 	return accel_device_clocks(view->device, &clocks) ? 0 : clocks.clocks;
 }
 
+/* Copies the part of the target that is in the picture to its place. */
+static void copy_part(const struct view *view, uint32_t *pixels)
+{
+	int width = view->scene.width - view->scene.left, height = view->scene.height - view->scene.top;
+
+	width = width < view->part.width ? width : view->part.width;
+	height = height < view->part.height ? height : view->part.height;
+	for (int row = 0; row < height; row++)
+		memcpy(pixels + (size_t)(view->scene.top + row) * view->scene.width + view->scene.left,
+		       view->part.pixel + (size_t)row * view->part.width, width * sizeof(*pixels));
+}
+
+/* Reads colour or depth of the whole target. */
+static int read_part(struct view *view, uint32_t *pixels,
+		     int (*read)(struct accel_target *target, void *pixels, size_t pitch))
+{
+	bool parts = view->part.pixel != NULL;
+	uint32_t *to = parts ? view->part.pixel : pixels;
+	int width = parts ? view->part.width : view->scene.width;
+	int ret = read(view->target, to, width * sizeof(*to));
+
+	if (!ret && parts)
+		copy_part(view, pixels);
+	return ret;
+}
+
+static void add_stats(struct accel_draw_stats *sum, const struct accel_draw_stats *part)
+{
+	sum->triangles_in += part->triangles_in;
+	sum->culled += part->culled;
+	sum->clipped += part->clipped;
+	sum->flat += part->flat;
+	sum->linear += part->linear;
+	sum->second_order += part->second_order;
+	sum->split += part->split;
+	sum->records += part->records;
+	sum->stream_words += part->stream_words;
+	sum->tiles += part->tiles;
+}
+
+static int draw_part(struct view *view, enum accel_shading shading, struct picture *picture)
+{
+	struct accel_draw_stats stats;
+	int ret;
+
+	ret = scene_draw(&view->scene, shading, view->draw, view->target, &stats);
+	if (!ret)
+		ret = read_part(view, picture->pixel, accel_target_read_colour);
+	if (!ret && view->depth)
+		ret = read_part(view, view->depth, accel_target_read_depth);
+	if (!ret)
+		add_stats(&view->stats, &stats);
+	return ret;
+}
+
+static uint64_t count_visible(const struct view *view)
+{
+	size_t pixels = (size_t)view->scene.width * view->scene.height;
+	uint64_t visible = 0;
+
+	for (size_t i = 0; view->depth && i < pixels; i++)
+		visible += (view->depth[i] & 0xffffff) != 0xffffff;
+	return visible;
+}
+
 int view_draw(struct view *view, enum accel_shading shading, struct picture *picture)
 {
 	uint64_t before = clocks(view);
-	int ret;
+	struct scene *scene = &view->scene;
+	int ret = 0;
 
 	device_reason_forget();
-	ret = scene_draw(&view->scene, shading, view->draw, view->target, &view->stats);
+	memset(&view->stats, 0, sizeof(view->stats));
+	for (scene->top = 0; scene->top < scene->height && !ret; scene->top += ACCEL_TARGET_SIZE_MAX)
+		for (scene->left = 0; scene->left < scene->width && !ret;
+		     scene->left += ACCEL_TARGET_SIZE_MAX)
+			ret = draw_part(view, shading, picture);
 	view->clocks = clocks(view) - before;
-	if (!ret)
-		ret = accel_target_read_colour(view->target, picture->pixel,
-					       picture->width * sizeof(*picture->pixel));
+	view->visible = count_visible(view);
 	return ret ? failed("drawing failed", view->options->device, ret) : VIEW_OK;
 }
 

@@ -12,6 +12,7 @@
 
 #define DEFAULT_MATERIAL "ivory"
 #define TURNTABLE_MAX 9999
+#define SIZE_MAX_PIXELS 16384
 
 void view_error(const char *what, const char *where, const char *hint)
 {
@@ -35,8 +36,8 @@ static bool set_size(struct view_options *options, const char *value)
 		return false;
 	value = end + 1;
 	height = strtol(value, &end, 10);
-	if (end == value || *end || width < 1 || width > ACCEL_TARGET_SIZE_MAX || height < 1 ||
-	    height > ACCEL_TARGET_SIZE_MAX)
+	if (end == value || *end || width < 1 || width > SIZE_MAX_PIXELS || height < 1 ||
+	    height > SIZE_MAX_PIXELS)
 		return false;
 	options->width = (int)width;
 	options->height = (int)height;
@@ -114,6 +115,25 @@ static bool set_facets(struct view_options *options, const char *value)
 static bool set_crease(struct view_options *options, const char *value)
 {
 	return view_number(value, 0, 180, &options->reading.crease);
+}
+
+static bool set_up(struct view_options *options, const char *value)
+{
+	static const struct {
+		const char *axis;
+		float upright[2];
+	} axes[] = {
+		{ "x", { 0, 90 } }, { "y", { 0, 0 } }, { "z", { -90, 0 } },
+		{ "-x", { 0, -90 } }, { "-y", { 0, 180 } }, { "-z", { 90, 0 } },
+	};
+
+	for (size_t i = 0; i < sizeof(axes) / sizeof(*axes); i++) {
+		if (!strcmp(value, axes[i].axis)) {
+			memcpy(options->upright, axes[i].upright, sizeof(options->upright));
+			return true;
+		}
+	}
+	return false;
 }
 
 static bool set_rotate(struct view_options *options, const char *value)
@@ -204,8 +224,8 @@ static const struct view_option {
 } list[] = {
 	{ "device", "NAME", "board to draw on: drm:, usb:, model:, sim:, or auto (the default), the first of" NEXT
 	  "them that opens; gloss-info --list names the boards there are", "", set_device },
-	{ "size", "WxH", "pixels of the picture, 640x480 if not given",
-	  "give WIDTHxHEIGHT, each 1 to 2048", set_size },
+	{ "size", "WxH", "pixels of the picture, each side up to 16384; 640x480 if not given",
+	  "give WIDTHxHEIGHT, each 1 to 16384", set_size },
 	{ "shading", "NAME", "gouraud, adaptive (the default), quadratic, flat",
 	  "give gouraud, adaptive, quadratic or flat", set_shading },
 	{ "material", "NAME", "a material of the list below", "see the list of gloss-view --help",
@@ -222,11 +242,13 @@ static const struct view_option {
 	  "30 if not given", "give degrees from 0 to 180", set_crease },
 	{ "smooth", NULL, "no sharp edges, also where the file has its own normals", "", set_smooth },
 	{ "facets", NULL, "all edges sharp, also where the file has its own normals", "", set_facets },
+	{ "up", "AXIS", "what is up in the mesh: x, y (the default), z, -x, -y or -z",
+	  "give x, y, z, -x, -y or -z", set_up },
 	{ "rotate", "X,Y,Z", "turn the mesh about its axes, degrees",
 	  "give three numbers of degrees", set_rotate },
-	{ "camera", "RIGHT,UP", "move the eye around the mesh, degrees",
+	{ "camera", "RIGHT,UP", "move the eye around the mesh, degrees; 30,20 if not given",
 	  "give two numbers of degrees", set_camera },
-	{ "zoom", "FACTOR", "enlarge, 1 shows all of the mesh", "give a factor from 0.01 to 100",
+	{ "zoom", "FACTOR", "enlarge; 1 fits the mesh to the picture", "give a factor from 0.01 to 100",
 	  set_zoom },
 	{ "fov", "DEGREES", "angle of view from bottom to top, 30 if not given; 0: no perspective",
 	  "give 0, or degrees from 1 to 120", set_fov },
@@ -283,6 +305,8 @@ static void set_defaults(struct view_options *options)
 	options->shading = ACCEL_SHADING_ADAPTIVE;
 	options->zoom = 1;
 	options->fov = 30;
+	options->camera[0] = 30;
+	options->camera[1] = 20;
 	options->reading.crease = MESH_CREASE;
 	set_material(options, DEFAULT_MATERIAL);
 	view_colour("#1c2430", options->background);

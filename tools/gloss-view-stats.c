@@ -1,35 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "gloss-view.h"
-
-/* Pixels the mesh is seen in; 0 if they can not be counted. */
-static uint64_t visible_pixels(const struct view *view)
-{
-	size_t pixels = (size_t)view->scene.width * view->scene.height;
-	uint32_t *depth = malloc(pixels * sizeof(*depth));
-	uint64_t visible = 0;
-
-	if (depth && !accel_target_read_depth(view->target, depth,
-					      view->scene.width * sizeof(*depth)))
-		for (size_t i = 0; i < pixels; i++)
-			visible += (depth[i] & 0xffffff) != 0xffffff;
-	free(depth);
-	return visible;
-}
 
 void view_stats_print(const struct view *view)
 {
 	const struct accel_draw_stats *stats = &view->stats;
 	struct accel_device_info info;
-	uint64_t visible = visible_pixels(view);
 
 	accel_device_info(view->device, &info);
 	printf("device     %s\n", info.name);
 	printf("picture    %dx%d, %" PRIu64 " pixels of the mesh, %s shading\n", view->scene.width,
-	       view->scene.height, visible, view_shading_name(view->options->shading));
+	       view->scene.height, view->visible, view_shading_name(view->options->shading));
 	printf("triangles  %" PRIu64 ": %" PRIu64 " culled, %" PRIu64 " clipped, ",
 	       stats->triangles_in, stats->culled, stats->clipped);
 	printf("%" PRIu64 " split\n", stats->split);
@@ -39,5 +22,5 @@ void view_stats_print(const struct view *view)
 	       stats->stream_words * 4, stats->records, stats->tiles);
 	if (view->clocks)
 		printf("clocks     %" PRIu64 ", %.3f pixels of the mesh a clock\n", view->clocks,
-		       (double)visible / (double)view->clocks);
+		       (double)view->visible / (double)view->clocks);
 }

@@ -15,6 +15,9 @@ static int draw_one(struct view *view)
 		return VIEW_FAILED;
 	}
 	ret = view_draw(view, view->options->shading, &picture);
+	if (ret == VIEW_OK && !view->visible)
+		view_error("nothing of the mesh is visible", view->options->mesh,
+			   "try --two-sided, --zoom 1, or another --camera RIGHT,UP");
 	if (ret == VIEW_OK && view->options->out)
 		ret = view_write(&picture, view->options->out);
 	picture_free(&picture);

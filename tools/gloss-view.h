@@ -23,6 +23,7 @@ struct view_options {
 	int lights;
 	struct mesh_options reading;
 	bool two_sided;
+	float upright[2];		/* degrees about x and z that turn the mesh's up to y */
 	float rotate[3];		/* degrees about x, y and z */
 	float camera[2];		/* degrees to the right and up */
 	float zoom, fov;		/* fov 0: no perspective */
@@ -33,14 +34,26 @@ struct view_options {
 	bool done;			/* --help or --version was answered */
 };
 
+/* What hands on the window have changed, and a file can not be asked for. */
+struct view_hand {
+	float move[3];			/* of the eye, radii to the right, up and back */
+	float look;			/* degrees to the right */
+};
+
 struct view {
 	const struct view_options *options;
 	struct mesh mesh;
 	float centre[3], radius;	/* of the sphere that holds the mesh */
+	float eye[3];			/* radii from the middle: right, up, towards the eye */
+	float half_height;		/* of the picture without perspective, radii */
+	struct view_hand hand;
 	struct scene scene;
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_draw *draw;
+	struct picture part;		/* of a picture that is larger than a target */
+	uint32_t *depth;		/* of the last frame's pixels; NULL: not wanted */
+	uint64_t visible;		/* pixels of the mesh, by the depth */
 	struct accel_draw_stats stats;	/* of the last frame */
 	uint64_t clocks;		/* of the last frame, 0: not known */
 };
@@ -65,13 +78,18 @@ bool view_numbers(const char *text, int count, float low, float high, float *val
 /* "#rrggbb", "R,G,B" or "GREY", 0 to 1; sets alpha to 1. */
 bool view_colour(const char *text, float rgba[4]);
 
-/* gloss-view-camera.c: sets the scene's matrices and lights; @turn degrees more about y. */
+/* gloss-view-camera.c: places the eye so that the mesh fits the picture, from all sides if it turns. */
+void view_camera_frame(struct view *view);
+/* Sets the scene's matrices and lights; @turn degrees more about y. */
 void view_camera_set(struct view *view, float turn);
 
 /* gloss-view-draw.c: 0, or VIEW_FAILED after a message. */
 int view_open(struct view *view, const struct view_options *options);
 void view_close(struct view *view);
-/* Draws the scene with @shading into @picture, which has the scene's size. */
+/*
+ * Draws the scene with @shading into @picture, which has the scene's size, and into view->depth
+ * if there is one. A picture larger than a target is drawn part by part.
+ */
 int view_draw(struct view *view, enum accel_shading shading, struct picture *picture);
 int view_write(const struct picture *picture, const char *path);
 const char *view_shading_name(enum accel_shading shading);

@@ -53,6 +53,24 @@ void mesh_bounds(const struct mesh *mesh, float centre[3], float *radius)
 	*radius = (float)sqrt(square);
 }
 
+bool mesh_has_area(const struct mesh *mesh)
+{
+	for (uint32_t t = 0; t < mesh->triangles; t++) {
+		const float *a = mesh->position[mesh->triangle[t][0]];
+		const float *b = mesh->position[mesh->triangle[t][1]];
+		const float *c = mesh->position[mesh->triangle[t][2]];
+
+		for (int i = 0; i < 3; i++) {
+			int j = (i + 1) % 3;
+
+			if (((double)b[i] - a[i]) * ((double)c[j] - a[j]) !=
+			    ((double)b[j] - a[j]) * ((double)c[i] - a[i]))
+				return true;
+		}
+	}
+	return false;
+}
+
 void mesh_rescale(struct mesh *mesh, float centre[3], float *radius)
 {
 	int exponent;

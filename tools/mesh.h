@@ -52,6 +52,9 @@ int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh);
 int mesh_build(const struct mesh *raw, enum mesh_normals normals, float crease,
 	       struct mesh *mesh);
 
+/* Whether some triangle has an area. */
+bool mesh_has_area(const struct mesh *mesh);
+
 /* Multiplies the positions by the power of two that makes @radius, of mesh_bounds, 1/2 to 1. */
 void mesh_rescale(struct mesh *mesh, float centre[3], float *radius);
 

@@ -77,6 +77,7 @@ int scene_apply(const struct scene *scene, struct accel_state *state)
 
 	accel_state_set_modelview(state, scene->modelview);
 	accel_state_set_projection(state, scene->projection);
+	accel_state_set_viewport(state, -scene->left, -scene->top, scene->width, scene->height);
 	accel_state_set_cull(state, scene->cull);
 	accel_state_set_depth(state, ACCEL_COMPARE_LESS, true);
 	accel_state_set_lighting(state, true);

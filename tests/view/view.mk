@@ -11,7 +11,7 @@ view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 
 # A test of the viewer's insides includes the file it is about.
 VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_shape test_phong \
-	test_picture test_view_camera test_view_window
+	test_picture test_view_camera test_view_draw test_view_window
 
 $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(SCENE_OBJS) \
 		$(BUILD)/libaccel.a
@@ -20,8 +20,12 @@ $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(S
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d $< $(view_objs) \
 		$(SCENE_OBJS) $(BUILD)/libaccel.a -lcmocka $(SCENE_LIBS) $$(pkg-config --libs sdl2) -o $@
 
-$(BUILD)/tests/view/test_view_window: $(VIEW_OBJS)
-$(BUILD)/tests/view/test_view_window: view_objs = $(filter-out %-window.o,$(VIEW_OBJS))
+# With the rest of the viewer.
+define viewer_test
+$(BUILD)/tests/view/test_view_$(1): $$(VIEW_OBJS)
+$(BUILD)/tests/view/test_view_$(1): view_objs = $$(filter-out %-$(1).o,$$(VIEW_OBJS))
+endef
+$(foreach part,draw window,$(eval $(call viewer_test,$(part))))
 
 $(VIEW_TESTS:%=run-%): run-%: $(BUILD)/tests/view/%
 	$(call quiet,TEST,$*)
