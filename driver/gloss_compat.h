@@ -9,10 +9,14 @@
 #include <drm/drm_prime.h>
 #include <drm/gpu_scheduler.h>
 #include <linux/dma-buf.h>
+#include <linux/fs.h>
 #include <linux/kthread.h>
+#include <linux/mm.h>
 #include <linux/pci.h>
 #include <linux/sched.h>
 #include <linux/sched/prio.h>
+#include <linux/shrinker.h>
+#include <linux/slab.h>
 
 #include "gloss_features.h"
 
@@ -125,5 +129,87 @@ static inline void gloss_compat_dma_buf_unmap(struct dma_buf_attachment *attach,
 	dma_buf_unmap_attachment(attach, sgt, DMA_BIDIRECTIONAL);
 #endif
 }
+
+static inline int gloss_compat_mmap(struct file *file, struct vm_area_struct *vma)
+{
+#ifdef GLOSS_HAVE_CALL_MMAP
+	return call_mmap(file, vma);
+#else
+	return vfs_mmap(file, vma);
+#endif
+}
+
+static inline void gloss_compat_vm_flags_set(struct vm_area_struct *vma, vm_flags_t flags)
+{
+#ifdef GLOSS_HAVE_VM_FLAGS_SET
+	vm_flags_set(vma, flags);
+#else
+	vma->vm_flags |= flags;
+#endif
+}
+
+typedef unsigned long (*gloss_compat_shrinker_fn)(struct shrinker *, struct shrink_control *);
+
+#ifdef GLOSS_HAVE_SHRINKER_ALLOC
+static inline struct shrinker *gloss_compat_shrinker_new(gloss_compat_shrinker_fn count,
+							 gloss_compat_shrinker_fn scan,
+							 void *owner)
+{
+	struct shrinker *shrinker = shrinker_alloc(0, "drm-gloss");
+
+	if (!shrinker)
+		return NULL;
+	shrinker->count_objects = count;
+	shrinker->scan_objects = scan;
+	shrinker->private_data = owner;
+	shrinker_register(shrinker);
+	return shrinker;
+}
+
+static inline void *gloss_compat_shrinker_owner(struct shrinker *shrinker)
+{
+	return shrinker->private_data;
+}
+
+static inline void gloss_compat_shrinker_free(struct shrinker *shrinker)
+{
+	shrinker_free(shrinker);
+}
+#else
+struct gloss_compat_shrinker {
+	struct shrinker base;
+	void *owner;
+};
+
+static inline struct shrinker *gloss_compat_shrinker_new(gloss_compat_shrinker_fn count,
+							 gloss_compat_shrinker_fn scan,
+							 void *owner)
+{
+	struct gloss_compat_shrinker *shrinker = kzalloc(sizeof(*shrinker), GFP_KERNEL);
+
+	if (!shrinker)
+		return NULL;
+	shrinker->base.count_objects = count;
+	shrinker->base.scan_objects = scan;
+	shrinker->base.seeks = DEFAULT_SEEKS;
+	shrinker->owner = owner;
+	if (register_shrinker(&shrinker->base, "drm-gloss")) {
+		kfree(shrinker);
+		return NULL;
+	}
+	return &shrinker->base;
+}
+
+static inline void *gloss_compat_shrinker_owner(struct shrinker *shrinker)
+{
+	return container_of(shrinker, struct gloss_compat_shrinker, base)->owner;
+}
+
+static inline void gloss_compat_shrinker_free(struct shrinker *shrinker)
+{
+	unregister_shrinker(shrinker);
+	kfree(container_of(shrinker, struct gloss_compat_shrinker, base));
+}
+#endif
 
 #endif

@@ -127,7 +127,7 @@ static int gloss_debugfs_fault(struct seq_file *m, void *unused)
 	return 0;
 }
 
-/* Board memory: what is taken and what is free. */
+/* Board memory, what is taken and what is free; and pages of the host. */
 static int gloss_debugfs_memory(struct seq_file *m, void *unused)
 {
 	struct gloss_device *gdev = gloss_debugfs_device(m);
@@ -136,6 +136,7 @@ static int gloss_debugfs_memory(struct seq_file *m, void *unused)
 	mutex_lock(&gdev->memory.lock);
 	drm_mm_print(&gdev->memory.mm, &p);
 	mutex_unlock(&gdev->memory.lock);
+	gloss_pages_print(&gdev->hosts, &p);
 	return 0;
 }
 

@@ -85,7 +85,14 @@ enum drm_gloss_gem_kind {
  * struct drm_gloss_gem_create - make an object
  *
  * -EINVAL: size zero or too large for its kind, or a bad field; -ENOSPC: no such
- * range of board memory is free; -ENOMEM.
+ * range of board memory is free, or this open file would hold more than its share of it;
+ * -ENOMEM; -EINTR.
+ *
+ * An open file gets a part, the module's parameter share_percent, of the board memory that
+ * other files leave: so MEMORY_SIZE is more than what one file can have. Memory is charged to
+ * the file that made the object until the object is gone: its handles are closed, and the
+ * jobs that use it have ended. An object is one range and is never moved; where objects of
+ * many sizes come and go, the largest range may be smaller than all that is free.
  */
 struct drm_gloss_gem_create {
 	/** @size: in, bytes; out, rounded up to whole pages of 4096 bytes */
@@ -187,6 +194,11 @@ struct drm_gloss_status {
  * Jobs of one open file and priority run in the order of their submission, each when its
  * in-syncs and the fences of its objects' reservations have signalled. Nothing of a
  * job that is refused happens. Each range must be inside its host object.
+ *
+ * The first job that uses a host object pins its pages, and charges them to its open file.
+ * Of what all boards may pin, the module's parameter pin_percent of the machine's memory, a
+ * file gets its share as of board memory; -ENOMEM says also that it would hold more. They
+ * stay charged until the object is gone, or the kernel needs them while no job uses it.
  *
  * -ENOENT: a handle names nothing; -EINVAL: a bad field, or an object of the wrong kind;
  * -EFAULT: a bad pointer; -E2BIG: too many slots or syncs; -EACCES: priority; -ENODEV: the

@@ -123,6 +123,7 @@ static int gloss_device_init(struct gloss_device *gdev)
 	       gloss_hosts_init(gdev) ?:
 	       gloss_memory_init(gdev) ?:
 	       gloss_sched_init(gdev) ?:
+	       gloss_pages_init(gdev) ?:
 	       gloss_clear_init(gdev) ?:
 	       gloss_irq_init(gdev);
 }

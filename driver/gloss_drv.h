@@ -6,6 +6,7 @@
  *   gloss_device  a board: registers, reset, its going away
  *   gloss_file    an open file
  *   gloss_gem     objects: the ioctls; gloss_host and gloss_memory, the two kinds
+ *   gloss_pages   pages of host objects; gloss_share, how much one file may hold
  *   gloss_clear   jobs that empty board memory
  *   gloss_submit  the ioctl that makes a job; gloss_sync, what it waits for and signals
  *   gloss_job     a job, from its making to its end
@@ -14,8 +15,10 @@
  *   gloss_irq     what it says of them
  *
  * Locks, outer ones first: gloss_device.stop, gloss_clear.queue_lock, a reservation
- * (dma_resv), gloss_file.lock or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock;
- * gloss_hosts.lock and gloss_memory.lock, each alone.
+ * (dma_resv), gloss_file.lock or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock.
+ * Those of objects: gloss_hosts.lock, gloss_host.lock, the reservation of an imported one,
+ * gloss_hosts.idle_lock or gloss_share.lock; under gloss_host.lock memory is allocated, and
+ * whoever has that may need gloss_hosts.idle_lock. gloss_memory.lock is taken alone.
  * The interrupt takes those of the ring. The scheduler's thread, and while that is
  * stopped whoever has stopped it, are the only ones to push jobs into the ring.
  */
@@ -96,17 +99,36 @@ struct gloss_ring {
 	u64 fence_sequence;		/* of the fence made last; of gloss_sched_run_job only */
 };
 
-/* The host objects that are mapped, so that none stays so when the board has gone. */
+/* The host objects of a board. */
 struct gloss_hosts {
-	struct mutex lock;		/* protects the following, and each object's mapping */
-	struct list_head list;
-	bool gone;
+	struct mutex lock;		/* protects @list */
+	struct list_head list;		/* all of them */
+
+	/* Protects the following, and each object's uses and place in @idle. */
+	spinlock_t idle_lock;
+	struct list_head idle;		/* pinned, and no job uses them; the oldest first */
+	unsigned long idle_pages;	/* of these */
+
+	struct shrinker *shrinker;
+};
+
+/* What a file may hold of something that nobody takes from it, and what that is. */
+enum gloss_share_kind {
+	GLOSS_SHARE_PAGES,		/* of the host, pinned */
+	GLOSS_SHARE_MEMORY,		/* of the board, bytes */
+	GLOSS_SHARES,
+};
+
+struct gloss_share {
+	spinlock_t lock;		/* protects the following, and gloss_file.held of this */
+	u64 total, held;
 };
 
 /* Board memory. */
 struct gloss_memory {
 	u64 size;			/* bytes; does not change after probe */
 	u32 granule;			/* objects begin and end at multiples of this */
+	struct gloss_share share;
 	struct mutex lock;		/* protects the following members */
 	struct drm_mm mm;
 };
@@ -160,6 +182,7 @@ struct gloss_file {
 	atomic_t jobs_lost;		/* DRM_GLOSS_PARAM_JOBS_LOST */
 	atomic64_t engine_ns;		/* time the board worked for this file */
 	atomic64_t jobs;		/* ended */
+	u64 held[GLOSS_SHARES];		/* under the lock of the gloss_share */
 	struct mutex lock;		/* keeps the jobs of an entity in order */
 	struct drm_sched_entity entity[GLOSS_PRIORITIES];
 };
@@ -170,15 +193,21 @@ static inline struct gloss_file *to_gloss_file(struct drm_file *drm)
 }
 
 /*
- * An object in pages of the host. From its first use in a job until the object or the
- * board goes, it is mapped: @list has the bus address of each 4096 bytes of it, and
- * @list_address is where the board finds the list.
+ * An object in pages of the host. While it is mapped, @list has the bus address of each 4096
+ * bytes of it, and @list_address is where the board finds the list. While a job uses it, it
+ * stays pinned, and, as long as there is a board, mapped.
  */
 struct gloss_host {
 	struct drm_gem_shmem_object base;
-	struct list_head node;		/* in gloss_hosts.list, if anything of it is mapped */
+	struct list_head node;		/* in gloss_hosts.list */
+	struct list_head idle;		/* in gloss_hosts.idle */
+	unsigned int uses;		/* by jobs */
 	struct dma_buf_attachment *attach;	/* of an imported object, else NULL */
-	bool pinned;			/* base.pages stay until the object goes */
+	struct work_struct put;		/* drops a reference of the shrinker's */
+
+	struct mutex lock;		/* protects the following */
+	struct page **pages;		/* NULL: not pinned, or imported */
+	struct gloss_file *payer;	/* for whom they are pinned */
 	__le64 *list;
 	dma_addr_t list_address;
 };
@@ -187,6 +216,7 @@ struct gloss_host {
 struct gloss_board {
 	struct drm_gem_object base;
 	struct drm_mm_node node;
+	struct gloss_file *payer;	/* whose share it is of */
 	bool cleared;			/* before any job; under gloss_clear.queue_lock */
 	/* Clearing it failed: who knows what is in there. Jobs that name it end with -EIO. */
 	bool lost;
@@ -301,11 +331,39 @@ struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size);
 struct drm_gem_object *gloss_host_create(struct gloss_device *gdev, size_t size);
 struct drm_gem_object *gloss_host_import(struct drm_device *drm,
 					 struct dma_buf_attachment *attach, struct sg_table *sgt);
-int gloss_host_map(struct gloss_host *host);
+int gloss_host_use(struct gloss_host *host, struct gloss_file *file);
+void gloss_host_end_use(struct gloss_host *host);
+void gloss_host_set_busy(struct gloss_host *host);
+unsigned long gloss_host_try_unpin(struct gloss_host *host);
+
+/* Drops a reference to an object that a job uses, or was to use. */
+static inline void gloss_gem_end_use(struct drm_gem_object *object)
+{
+	if (gloss_gem_is_host(object))
+		gloss_host_end_use(to_gloss_host(object));
+	drm_gem_object_put(object);
+}
+
+/* gloss_pages.c */
+int gloss_pages_init(struct gloss_device *gdev);
+bool gloss_pages_charge(struct gloss_file *file, unsigned long count);
+void gloss_pages_uncharge(struct gloss_file *file, unsigned long count);
+struct page **gloss_pages_get(struct drm_gem_object *object);
+void gloss_pages_put(struct drm_gem_object *object, struct page **pages);
+unsigned long gloss_pages_shrink(struct gloss_hosts *hosts, unsigned long wanted);
+void gloss_pages_put_work(struct work_struct *work);
+void gloss_pages_print(struct gloss_hosts *hosts, struct drm_printer *p);
+
+/* gloss_share.c */
+bool gloss_share_take(struct gloss_share *share, enum gloss_share_kind kind,
+		      struct gloss_file *file, u64 more);
+void gloss_share_give_back(struct gloss_share *share, enum gloss_share_kind kind,
+			   struct gloss_file *file, u64 less);
 
 /* gloss_memory.c */
 int gloss_memory_init(struct gloss_device *gdev);
-struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, u64 size);
+struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, struct gloss_file *file,
+					  u64 size);
 void gloss_memory_clear(struct gloss_device *gdev);
 
 /* gloss_clear.c */

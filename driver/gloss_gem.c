@@ -21,11 +21,12 @@ static u64 gloss_gem_size_max(struct gloss_device *gdev, u32 kind)
 	}
 }
 
-static struct drm_gem_object *gloss_gem_new(struct gloss_device *gdev, u32 kind, u64 size)
+static struct drm_gem_object *gloss_gem_new(struct gloss_device *gdev, struct drm_file *file,
+					    u32 kind, u64 size)
 {
 	if (kind == DRM_GLOSS_GEM_HOST)
 		return gloss_host_create(gdev, size);
-	return gloss_board_create(gdev, size);
+	return gloss_board_create(gdev, to_gloss_file(file), size);
 }
 
 int gloss_gem_create_ioctl(struct drm_device *drm, void *data, struct drm_file *file)
@@ -44,7 +45,7 @@ int gloss_gem_create_ioctl(struct drm_device *drm, void *data, struct drm_file *
 		return -EINVAL;
 	}
 
-	object = gloss_gem_new(gdev, args->kind, PAGE_ALIGN(args->size));
+	object = gloss_gem_new(gdev, file, args->kind, PAGE_ALIGN(args->size));
 	if (IS_ERR(object))
 		return PTR_ERR(object);
 

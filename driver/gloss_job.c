@@ -67,9 +67,9 @@ free_job:
 }
 
 /*
- * Notes that the job reads, or also writes, an object. Takes over the reference, on an
- * error too. -EINVAL: two objects for one reservation, which only the same dma-buf,
- * imported by two files, can be.
+ * Notes that the job reads, or also writes, an object. Takes over the reference, and the use
+ * of a host object, on an error too. -EINVAL: two objects for one reservation, which only
+ * the same dma-buf, imported by two files, can be.
  */
 int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool write)
 {
@@ -82,7 +82,7 @@ int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool wri
 	if (i < job->objects) {
 		bool same = job->object[i] == object;
 
-		drm_gem_object_put(object);
+		gloss_gem_end_use(object);
 		if (!same)
 			return -EINVAL;
 	} else {
@@ -250,7 +250,7 @@ void gloss_job_free(struct gloss_job *job)
 	gloss_job_free_fence(job);
 	drm_sched_job_cleanup(&job->base);
 	for (i = 0; i < job->objects; i++)
-		drm_gem_object_put(job->object[i]);
+		gloss_gem_end_use(job->object[i]);
 	if (job->file)
 		gloss_file_put(job->file);
 	kfree(job);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
-/* The list of bus addresses of a dma-buf's pages. */
+/* The list of bus addresses of a dma-buf's pages, and how much a file may hold. */
 #include "gloss_host.c"
+#include "gloss_pages.c"
+#include "gloss_share.c"
 #include "gloss_kunit.h"
 
 #define HOST_PAGES	4
@@ -76,11 +78,74 @@ static void host_list_is_refused_to_parts_of_pages(struct kunit *test)
 	KUNIT_EXPECT_EQ(test, gloss_host_list_pages(host_imported(test, ends, 2)), -EINVAL);
 }
 
+void gloss_file_put(struct gloss_file *gfile)
+{
+	kref_put(&gfile->ref, (void (*)(struct kref *))kfree);
+}
+
+/* Else a submit would wait for other clients' pages. */
+static void host_is_used_beside_one_that_is_locked(struct kunit *test)
+{
+	const struct host_piece pieces[] = { { 0x1000, 0x4000 } };
+	struct gloss_host *pinned = host_imported(test, pieces, 1);
+	struct gloss_host *host = host_imported(test, pieces, 1);
+
+	mutex_init(&pinned->lock);
+	mutex_init(&host->lock);
+	INIT_LIST_HEAD(&host->idle);
+	spin_lock_init(&to_gloss_device(host->base.base.dev)->hosts.idle_lock);
+	mutex_lock(&pinned->lock);
+	KUNIT_EXPECT_EQ(test, gloss_host_use(host, NULL), 0);
+	KUNIT_EXPECT_EQ(test, host->uses, 1);
+	gloss_host_end_use(host);
+	mutex_unlock(&pinned->lock);
+}
+
+static void share_leaves_something_to_the_next_file(struct kunit *test)
+{
+	KUNIT_EXPECT_TRUE(test, gloss_share_allows(1000, 0, 0, 800, 80));
+	KUNIT_EXPECT_FALSE(test, gloss_share_allows(1000, 0, 0, 801, 80));
+	KUNIT_EXPECT_FALSE(test, gloss_share_allows(1000, 800, 800, 1, 80));
+	KUNIT_EXPECT_TRUE(test, gloss_share_allows(1000, 800, 0, 160, 80));
+	KUNIT_EXPECT_FALSE(test, gloss_share_allows(1000, 800, 0, 161, 80));
+	KUNIT_EXPECT_TRUE(test, gloss_share_allows(1000, 960, 0, 32, 80));
+}
+
+static void share_of_all_is_all_that_is_left(struct kunit *test)
+{
+	KUNIT_EXPECT_TRUE(test, gloss_share_allows(1000, 0, 0, 1000, 100));
+	KUNIT_EXPECT_FALSE(test, gloss_share_allows(1000, 0, 0, 1001, 100));
+	KUNIT_EXPECT_TRUE(test, gloss_share_allows(1000, 900, 400, 100, 100));
+	KUNIT_EXPECT_FALSE(test, gloss_share_allows(1000, 900, 400, 101, 100));
+	KUNIT_EXPECT_FALSE(test, gloss_share_allows(1000, 900, 400, U64_MAX, 100));
+}
+
+static void share_is_given_back_whole(struct kunit *test)
+{
+	struct gloss_file *file = kzalloc(sizeof(*file), GFP_KERNEL);
+	struct gloss_share share = { .total = 1000 };
+
+	KUNIT_ASSERT_NOT_NULL(test, file);
+	kref_init(&file->ref);
+	spin_lock_init(&share.lock);
+	KUNIT_EXPECT_TRUE(test, gloss_share_take(&share, GLOSS_SHARE_PAGES, file, 500));
+	KUNIT_EXPECT_FALSE(test, gloss_share_take(&share, GLOSS_SHARE_PAGES, file, 501));
+	KUNIT_EXPECT_EQ(test, file->held[GLOSS_SHARE_PAGES], 500);
+	gloss_share_give_back(&share, GLOSS_SHARE_PAGES, file, 500);
+	KUNIT_EXPECT_EQ(test, share.held, 0);
+	KUNIT_EXPECT_EQ(test, file->held[GLOSS_SHARE_PAGES], 0);
+	gloss_file_put(file);
+}
+
 static struct kunit_case host_cases[] = {
 	KUNIT_CASE(host_list_has_each_page_of_each_piece),
 	KUNIT_CASE(host_list_ends_with_the_object),
 	KUNIT_CASE(host_list_is_refused_to_too_few_pages),
 	KUNIT_CASE(host_list_is_refused_to_parts_of_pages),
+	KUNIT_CASE(host_is_used_beside_one_that_is_locked),
+	KUNIT_CASE(share_leaves_something_to_the_next_file),
+	KUNIT_CASE(share_of_all_is_all_that_is_left),
+	KUNIT_CASE(share_is_given_back_whole),
 	{}
 };
 

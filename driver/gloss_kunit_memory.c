@@ -16,6 +16,8 @@ static int memory_test_init(struct kunit *test)
 	gdev->memory.granule = gloss_clear_tile_bytes(gdev);
 	mutex_init(&gdev->memory.lock);
 	mutex_init(&gdev->clear.queue_lock);
+	gdev->memory.share.total = MEMORY_SIZE;
+	spin_lock_init(&gdev->memory.share.lock);
 	drm_mm_init(&gdev->memory.mm, 0, MEMORY_SIZE);
 	gloss_kunit_jobs_init(test);
 	test->priv = gdev;
@@ -41,7 +43,8 @@ static struct gloss_board *memory_board(struct kunit *test, u64 size)
 	board->base.dev = &gdev->drm;
 	board->base.size = size;
 	kref_init(&board->base.refcount);
-	KUNIT_ASSERT_EQ(test, gloss_memory_insert(&gdev->memory, &board->node, size), 0);
+	size = round_up(size, gdev->memory.granule);
+	KUNIT_ASSERT_EQ(test, gloss_memory_insert(&gdev->memory, board, size), 0);
 	return board;
 }
 
@@ -64,10 +67,11 @@ static void memory_objects_share_no_tile(struct kunit *test)
 static void memory_all_of_it_can_be_had(struct kunit *test)
 {
 	struct gloss_device *gdev = test->priv;
-	struct drm_mm_node none = {};
+	struct gloss_board none = {};
 
 	memory_board(test, MEMORY_SIZE);
-	KUNIT_EXPECT_EQ(test, gloss_memory_insert(&gdev->memory, &none, 1), -ENOSPC);
+	KUNIT_EXPECT_EQ(test, gloss_memory_insert(&gdev->memory, &none, gdev->memory.granule),
+			-ENOSPC);
 }
 
 /* Each job clears from where the last one stopped, and together they clear the node. */

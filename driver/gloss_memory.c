@@ -26,18 +26,38 @@ int gloss_memory_init(struct gloss_device *gdev)
 	if (ret)
 		return ret;
 
-	drm_mm_init(&memory->mm, 0, round_down(memory->size, memory->granule));
+	spin_lock_init(&memory->share.lock);
+	memory->share.total = round_down(memory->size, memory->granule);
+	drm_mm_init(&memory->mm, 0, memory->share.total);
 	return drmm_add_action_or_reset(&gdev->drm, gloss_memory_fini, NULL);
 }
 
-static int gloss_memory_insert(struct gloss_memory *memory, struct drm_mm_node *node, u64 size)
+static int gloss_memory_insert(struct gloss_memory *memory, struct gloss_board *board, u64 size)
 {
 	int ret;
 
 	mutex_lock(&memory->lock);
-	ret = drm_mm_insert_node_generic(&memory->mm, node, round_up(size, memory->granule),
-					 memory->granule, 0, DRM_MM_INSERT_BEST);
+	ret = drm_mm_insert_node_generic(&memory->mm, &board->node, size, memory->granule, 0,
+					 DRM_MM_INSERT_BEST);
 	mutex_unlock(&memory->lock);
+	return ret;
+}
+
+/* A range of @size bytes that @file pays for; it is the board's from then on. */
+static int gloss_memory_take(struct gloss_memory *memory, struct gloss_file *file,
+			     struct gloss_board *board, u64 size)
+{
+	int ret;
+
+	size = round_up(size, memory->granule);
+	if (!gloss_share_take(&memory->share, GLOSS_SHARE_MEMORY, file, size))
+		return -ENOSPC;
+
+	ret = gloss_memory_insert(memory, board, size);
+	if (ret)
+		gloss_share_give_back(&memory->share, GLOSS_SHARE_MEMORY, file, size);
+	else
+		board->payer = file;
 	return ret;
 }
 
@@ -46,9 +66,10 @@ static int gloss_memory_insert(struct gloss_memory *memory, struct drm_mm_node *
  * which used them is, and that is a moment after the job's fence signalled; so look again
  * after such a moment.
  */
-static int gloss_memory_find(struct gloss_device *gdev, struct drm_mm_node *node, u64 size)
+static int gloss_memory_find(struct gloss_device *gdev, struct gloss_file *file,
+			     struct gloss_board *board, u64 size)
 {
-	int ret = gloss_memory_insert(&gdev->memory, node, size);
+	int ret = gloss_memory_take(&gdev->memory, file, board, size);
 	long left;
 
 	if (ret != -ENOSPC || !atomic_read(&gdev->jobs_ended))
@@ -56,7 +77,7 @@ static int gloss_memory_find(struct gloss_device *gdev, struct drm_mm_node *node
 
 	left = wait_event_interruptible_timeout(gdev->jobs_wait, !atomic_read(&gdev->jobs_ended),
 						HZ / 10);
-	return left < 0 ? left : gloss_memory_insert(&gdev->memory, node, size);
+	return left < 0 ? left : gloss_memory_take(&gdev->memory, file, board, size);
 }
 
 static void gloss_board_free(struct drm_gem_object *object)
@@ -65,9 +86,12 @@ static void gloss_board_free(struct drm_gem_object *object)
 	struct gloss_memory *memory = &to_gloss_device(object->dev)->memory;
 
 	if (drm_mm_node_allocated(&board->node)) {
+		u64 size = board->node.size;
+
 		mutex_lock(&memory->lock);
 		drm_mm_remove_node(&board->node);
 		mutex_unlock(&memory->lock);
+		gloss_share_give_back(&memory->share, GLOSS_SHARE_MEMORY, board->payer, size);
 	}
 	drm_gem_object_release(object);
 	kfree(board);
@@ -83,19 +107,20 @@ const struct drm_gem_object_funcs gloss_board_funcs = {
 	.export = gloss_board_export,
 };
 
-/* An object; its memory is cleared when it is first used. */
-struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, u64 size)
+/* An object of @file's share; its memory is cleared when it is first used. */
+struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, struct gloss_file *file,
+					  u64 size)
 {
 	struct gloss_board *board;
 	int ret;
 
-	board = kzalloc(sizeof(*board), GFP_KERNEL);
+	board = kzalloc(sizeof(*board), GFP_KERNEL_ACCOUNT);
 	if (!board)
 		return ERR_PTR(-ENOMEM);
 
 	board->base.funcs = &gloss_board_funcs;
 	drm_gem_private_object_init(&gdev->drm, &board->base, size);
-	ret = gloss_memory_find(gdev, &board->node, size);
+	ret = gloss_memory_find(gdev, file, board, size);
 	if (ret) {
 		drm_gem_object_put(&board->base);
 		return ERR_PTR(ret);

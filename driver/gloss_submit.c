@@ -58,7 +58,10 @@ static bool gloss_submit_inside(u64 offset, u64 bytes, u64 size)
 	return offset <= size && bytes <= size - offset;
 }
 
-/* A host object with @bytes at @offset, which the board can reach; the caller's reference. */
+/*
+ * A host object with @bytes at @offset, which the board can reach; the reference is the
+ * caller's, and the use, which gloss_gem_end_use() ends.
+ */
 static struct gloss_host *gloss_submit_find_host(struct drm_file *file, u32 handle, u64 offset,
 						 u64 bytes, u64 align)
 {
@@ -73,7 +76,7 @@ static struct gloss_host *gloss_submit_find_host(struct drm_file *file, u32 hand
 		drm_dbg(object->dev, "object %u has no %llu bytes at %llu for a job\n", handle,
 			bytes, offset);
 	else
-		ret = gloss_host_map(to_gloss_host(object));
+		ret = gloss_host_use(to_gloss_host(object), to_gloss_file(file));
 	if (ret) {
 		drm_gem_object_put(object);
 		return ERR_PTR(ret);
@@ -114,10 +117,10 @@ static int gloss_submit_status(struct gloss_job *job, struct drm_file *file, u32
 		return PTR_ERR(host);
 
 	if (host->attach) {
-		drm_gem_object_put(&host->base.base);
+		gloss_gem_end_use(&host->base.base);
 		return -EINVAL;
 	}
-	job->status_page = host->base.pages[offset >> PAGE_SHIFT];
+	job->status_page = host->pages[offset >> PAGE_SHIFT];
 	job->status_offset = offset_in_page(offset);
 	return gloss_job_use(job, &host->base.base, true);
 }

@@ -4,14 +4,15 @@
 
 VM_TESTS += user:test_ioctl user:test_submit user:test_isolation:120 root:test_storm:120 \
 	root:test_latency root:test_inspect root:test_fault:120 root:test_unplug:120 \
-	root:test_failslab:120 user:test_fuzz_ioctl
+	root:test_failslab:120 user:test_fuzz_ioctl user:test_memory:120 root:test_swap
 VM_BENCHES += test_latency
 
 DRIVER_TESTS := $(addprefix $(BUILD)/tests/vm/test_, ioctl submit isolation storm latency inspect \
-	fault unplug failslab fuzz_ioctl)
+	fault unplug failslab fuzz_ioctl memory swap)
 $(DRIVER_TESTS): $(BUILD)/tests/vm/gloss_node.o
 
-$(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug): $(BUILD)/tests/vm/vm_board.o
+$(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug swap): \
+	$(BUILD)/tests/vm/vm_board.o
 
 $(BUILD)/tests/vm/test_isolation: $(STREAM_RANDOM_OBJS)
 $(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
