@@ -37,6 +37,11 @@ lint-cppcheck: check-generated ## cppcheck on the C sources
 
 LINTS += lint-rtl lint-tidy lint-cppcheck
 
+# Not among the checks: it needs root and a mirror, and takes as long as all of them twice.
+.PHONY: check-fresh
+check-fresh: ## the README's commands on a bare Debian; needs root (SUITE: trixie or bookworm; WHO: root or user, both)
+	$(Q)tests/fresh "$(SUITE)" $(or $(GLOSS_CACHE),$(BUILD)) $(BUILD)/fresh $(WHO)
+
 # tests/check asks for checked-TARGET; the line in the file is the proof that TARGET ran and passed.
 define checked_rule
 .PHONY: checked-$(1)
