@@ -43,6 +43,10 @@ check-fresh: ## the README's commands on a bare Debian; needs root (SUITE: trixi
 	$(Q)tests/fresh "$(SUITE)" $(or $(GLOSS_CACHE),$(BUILD)) $(BUILD)/fresh $(WHO)
 
 # tests/check asks for checked-TARGET; the line in the file is the proof that TARGET ran and passed.
+# It wants to know what takes long, so each line of a recipe is run by tests/timed.
+ifneq ($(CHECKED),)
+SHELL = tests/timed $(BUILD)/check/times $@
+endif
 define checked_rule
 .PHONY: checked-$(1)
 checked-$(1): $(1)
