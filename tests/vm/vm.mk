@@ -5,7 +5,7 @@
 # A test program: tests/vm/NAME.c (or .sh) makes $(BUILD)/tests/vm/NAME. The list it runs from has
 # WHO:NAME[:SECONDS], WHO root or user; fragments of single tests add theirs.
 VM_TESTS := user:test_smoke
-# Those of them that give figures to make bench.
+# Figures for make bench, in the same form: no tests, as on a busy machine they miss their aims.
 VM_BENCHES :=
 # Those that check-vm runs on the newest kernel alone: long, and gloss.ko has no part in them.
 VM_ONCE :=
@@ -34,7 +34,9 @@ $(BUILD)/tests/vm/%: tests/vm/%.sh
 	@mkdir -p $(@D)
 	$(Q)install -m 755 $< $@
 
-VM_NAMES    = $(foreach test,$(VM_TESTS),$(word 2,$(subst :, ,$(test))))
+vm_names    = $(foreach test,$(1),$(word 2,$(subst :, ,$(test))))
+VM_NAMES    = $(call vm_names,$(VM_TESTS) $(VM_BENCHES))
+VM_NO_BENCH = $(patsubst %,--without %,$(call vm_names,$(VM_BENCHES)))
 VM_PROGRAMS = $(VM_NAMES:%=$(BUILD)/tests/vm/%)
 
 VM_RUNNER_SOURCES := $(wildcard tests/vm/runner/*.c)
@@ -45,7 +47,8 @@ $(BUILD)/tests/vm/runner: $(VM_RUNNER_SOURCES) tests/vm/runner/runner.h
 
 $(BUILD)/tests/vm/list: FORCE
 	@mkdir -p $(@D)
-	@printf '%s\n' $(VM_TESTS) | cmp -s - $@ || printf '%s\n' $(VM_TESTS) >$@
+	@printf '%s\n' $(VM_TESTS) $(VM_BENCHES) | cmp -s - $@ || \
+		printf '%s\n' $(VM_TESTS) $(VM_BENCHES) >$@
 
 .PHONY: vm-programs vm-modules check-vm check-kasan bench-vm FORCE
 vm-programs: $(VM_PROGRAMS) $(VM_NEEDS) $(BUILD)/tests/vm/runner $(BUILD)/tests/vm/list \
@@ -58,7 +61,7 @@ vm-modules-%:
 		MODULE_BUILD=$(BUILD)/driver-$*
 
 check-vm-%: vm-modules-%
-	$(Q)tests/vm/run --build $(BUILD) --kernel $* $(if $(filter $*,$(VM_NEWEST)),,$(VM_ONCE:%=--without %))
+	$(Q)tests/vm/run --build $(BUILD) --kernel $* $(VM_NO_BENCH) $(if $(filter $*,$(VM_NEWEST)),,$(VM_ONCE:%=--without %))
 
 # At run time, as what is missing is told here and not to those who build something else.
 FOR_KERNELS = kernels=$$(tests/vm/kernels $(KERNEL)) && set -- $$kernels && \
@@ -72,7 +75,8 @@ check-vm: vm-programs ## the driver on virtual boards, in a virtual machine (KER
 
 bench-vm: vm-programs ## time of an empty job through the driver, streams and answers over USB
 	$(Q)+$(FOR_KERNELS) vm-modules-$$1 && \
-	tests/vm/run --build $(BUILD) --kernel $$1 --results $(BUILD)/vm $(VM_BENCHES)
+	tests/bench/retry - tests/vm/run --build $(BUILD) --kernel $$1 --results $(BUILD)/vm \
+		$(call vm_names,$(VM_BENCHES))
 
 run-kernels:
 	$(call quiet,TEST,kernels)
@@ -88,6 +92,7 @@ check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak...; builds a 
 	$(Q)kernel=$$(tests/vm/kasan-kernel $(or $(GLOSS_CACHE),$(BUILD))) && \
 	$(MAKE) --no-print-directory module vm-test-modules KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
 	tests/vm/run --build $(BUILD) --driver $(KASAN_DRIVER) --results $(BUILD)/vm-kasan \
-		--kernel $$kernel/bzImage --modules none --debug --slow 5 --timeout 3600
+		--kernel $$kernel/bzImage --modules none --debug --slow 5 --timeout 3600 \
+		$(VM_NO_BENCH)
 
 -include $(wildcard $(BUILD)/tests/vm/*.d)
