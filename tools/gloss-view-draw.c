@@ -30,9 +30,17 @@ const char *view_shading_name(enum accel_shading shading)
 static int open_mesh(struct view *view)
 {
 	const char *name = view->options->mesh;
+	struct mesh_options reading = view->options->reading;
 	char message[MESH_MESSAGE];
+	struct waiting waiting;
+	int ret;
 
-	if (mesh_load(name, &view->options->reading, &view->mesh, message)) {
+	reading.waiting = waiting_show;
+	reading.data = &waiting;
+	waiting_begin(&waiting, name);
+	ret = mesh_load(name, &reading, &view->mesh, message);
+	waiting_end(&waiting);
+	if (ret) {
 		fprintf(stderr, "gloss-view: %s\n", message);
 		return VIEW_FAILED;
 	}
@@ -52,6 +60,12 @@ static int open_mesh(struct view *view)
 	return VIEW_OK;
 }
 
+void view_set_sides(struct view *view, bool two_sided)
+{
+	view->scene.two_sided = two_sided;
+	view->scene.cull = two_sided ? ACCEL_CULL_NONE : ACCEL_CULL_BACK;
+}
+
 static void open_scene(struct view *view)
 {
 	const struct view_options *options = view->options;
@@ -59,8 +73,7 @@ static void open_scene(struct view *view)
 
 	scene_init(scene, options->width, options->height);
 	scene->mesh = mesh_lend(&view->mesh);
-	scene->two_sided = options->two_sided;
-	scene->cull = options->two_sided ? ACCEL_CULL_NONE : ACCEL_CULL_BACK;
+	view_set_sides(view, options->two_sided);
 	scene->material[0] = scene->material[1] = options->material;
 	memcpy(scene->background, options->background, sizeof(scene->background));
 	view_camera_frame(view);
@@ -92,20 +105,50 @@ static int open_pictures(struct view *view)
 	return depth && !view->depth ? failed("out of memory", "picture", -ENOMEM) : VIEW_OK;
 }
 
-static int open_device(struct view *view)
+static int open_target(struct view *view)
 {
 	const struct view_options *options = view->options;
-	const char *name = options->device;
+	int ret = accel_target_new(view->device, at_most(options->width), at_most(options->height),
+				   &view->target);
+
+	return ret ? failed("no memory for the picture on device", options->device, ret) : VIEW_OK;
+}
+
+static int open_device(struct view *view)
+{
+	const char *name = view->options->device;
 	int ret;
 
 	if (device_open("gloss-view", name, &view->device))
 		return VIEW_FAILED;
-	ret = accel_target_new(view->device, at_most(options->width), at_most(options->height),
-			       &view->target);
-	if (ret)
-		return failed("no memory for the picture on device", name, ret);
+	if (open_target(view) != VIEW_OK)
+		return VIEW_FAILED;
 	ret = accel_draw_new(view->device, &view->draw);
 	return ret ? failed("can not draw on device", name, ret) : VIEW_OK;
+}
+
+static void close_pictures(struct view *view)
+{
+	picture_free(&view->part);
+	free(view->depth);
+	view->depth = NULL;
+}
+
+int view_resize(struct view *view)
+{
+	int ret;
+
+	view->scene.width = view->options->width;
+	view->scene.height = view->options->height;
+	close_pictures(view);
+	accel_target_free(view->target);
+	view->target = NULL;
+	ret = open_pictures(view);
+	if (ret == VIEW_OK)
+		ret = open_target(view);
+	if (ret == VIEW_OK)
+		view_camera_frame(view);
+	return ret;
 }
 
 int view_open(struct view *view, const struct view_options *options)
@@ -129,8 +172,7 @@ void view_close(struct view *view)
 	accel_draw_free(view->draw);
 	accel_target_free(view->target);
 	accel_device_free(view->device);
-	picture_free(&view->part);
-	free(view->depth);
+	close_pictures(view);
 	mesh_free(&view->mesh);
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "gloss-view.h"
 
@@ -12,7 +13,6 @@
 
 #define DEFAULT_MATERIAL "ivory"
 #define TURNTABLE_MAX 9999
-#define SIZE_MAX_PIXELS 16384
 
 void view_error(const char *what, const char *where, const char *hint)
 {
@@ -36,8 +36,8 @@ static bool set_size(struct view_options *options, const char *value)
 		return false;
 	value = end + 1;
 	height = strtol(value, &end, 10);
-	if (end == value || *end || width < 1 || width > SIZE_MAX_PIXELS || height < 1 ||
-	    height > SIZE_MAX_PIXELS)
+	if (end == value || *end || width < 1 || width > VIEW_SIZE_MAX || height < 1 ||
+	    height > VIEW_SIZE_MAX)
 		return false;
 	options->width = (int)width;
 	options->height = (int)height;
@@ -165,7 +165,7 @@ static bool set_background(struct view_options *options, const char *value)
 static bool set_out(struct view_options *options, const char *value)
 {
 	options->out = value;
-	return *value;
+	return picture_named(value);
 }
 
 static bool set_turntable(struct view_options *options, const char *value)
@@ -182,7 +182,7 @@ static bool set_turntable(struct view_options *options, const char *value)
 static bool set_compare(struct view_options *options, const char *value)
 {
 	options->compare = value;
-	return *value;
+	return picture_named(value) && strcmp(value, "-") != 0;
 }
 
 static bool set_stats(struct view_options *options, const char *value)
@@ -253,18 +253,20 @@ static const struct view_option {
 	{ "fov", "DEGREES", "angle of view from bottom to top, 30 if not given; 0: no perspective",
 	  "give 0, or degrees from 1 to 120", set_fov },
 	{ "background", "COLOUR", "colour where the mesh is not", COLOUR_HINT, set_background },
-	{ "out", "FILE.png", "write the picture", "give the name of a file", set_out },
+	{ "out", "FILE", "write the picture, as PNG or PPM by the ending of FILE; - is standard output",
+	  "give a name that ends in .png or .ppm, or -", set_out },
 	{ "turntable", "N", "write N numbered pictures of one turn, FILE-0000.png and so on",
 	  "give a number of frames from 1 to 9999", set_turntable },
-	{ "compare", "FILE.png",
+	{ "compare", "FILE",
 	  "write Gouraud, the chosen shading and per-pixel Phong side by side, and print"
 	  NEXT "how far the first two are from the last",
-	  "give the name of a file", set_compare },
+	  "give a name that ends in .png or .ppm", set_compare },
 	{ "stats", NULL, "print what was drawn, and clocks where the board counts them", "",
 	  set_stats },
-	{ "window", NULL, "show the mesh; drag to turn, wheel to zoom, keys g a q f to shade," NEXT
-	  "Esc to leave", "", set_window },
-	{ "help", NULL, "print this and leave", "", show_help },
+	{ "window", NULL, "show the mesh; drag to turn, with the right button to move, wheel to zoom," NEXT
+	  "arrows to fly and look, g a q f to shade, t both sides, s to save a picture," NEXT
+	  "r as at the beginning, Esc to leave", "", set_window },
+	{ "help", NULL, "print this and leave; -h too, and -o for --out", "", show_help },
 	{ "version", NULL, "print the version and leave", "", show_version },
 };
 
@@ -274,8 +276,9 @@ static bool show_help(struct view_options *options, const char *value)
 {
 	(void)value;
 	puts("usage: gloss-view [OPTION]... MESH\n"
-	     "Draws a mesh on a Gloss board. MESH is an OBJ, PLY, 3DS, glTF or STL file, or a\n"
-	     "shape: " MESH_SHAPES ".\n");
+	     "Draws a mesh on a Gloss board. MESH is an OBJ, PLY, 3DS, glTF or STL file, or\n"
+	     "another that assimp reads (DAE, FBX, OFF, 3MF and more), or a shape:\n" MESH_SHAPES
+	     ".\n");
 	for (int i = 0; i < OPTIONS; i++) {
 		char name[40];
 
@@ -336,6 +339,15 @@ static int apply(struct view_options *options, const struct view_option *option,
 	return bad_usage("bad value", where, option->hint);
 }
 
+static const struct view_option *option_called(const char *name)
+{
+	int i = 0;
+
+	while (strcmp(list[i].name, name) != 0)
+		i++;
+	return &list[i];
+}
+
 static int parse_options(struct view_options *options, int argc, char **argv)
 {
 	struct option known[OPTIONS + 1] = { 0 };
@@ -347,11 +359,17 @@ static int parse_options(struct view_options *options, int argc, char **argv)
 	}
 	opterr = 0;
 	while (ret == VIEW_OK && !options->done) {
-		switch (getopt_long(argc, argv, ":", known, &index)) {
+		switch (getopt_long(argc, argv, ":ho:", known, &index)) {
 		case -1:
 			return VIEW_OK;
 		case 0:
 			ret = apply(options, &list[index], optarg);
+			break;
+		case 'h':
+			show_help(options, NULL);
+			break;
+		case 'o':
+			ret = apply(options, option_called("out"), optarg);
 			break;
 		case ':':
 			return bad_usage("value missing", argv[optind - 1],
@@ -364,6 +382,18 @@ static int parse_options(struct view_options *options, int argc, char **argv)
 	return ret;
 }
 
+/* A picture that goes there leaves no room for anything else. */
+static int check_stdout(const struct view_options *options)
+{
+	if (options->turntable || options->stats || options->compare)
+		return bad_usage("not together", "--out - and --turntable, --stats or --compare",
+				 "give --out the name of a file");
+	if (isatty(STDOUT_FILENO))
+		return bad_usage("bad value", "--out -", "standard output is a terminal, "
+				 "give the name of a file or a pipe");
+	return VIEW_OK;
+}
+
 /* Whether the options make sense together. */
 static int check(const struct view_options *options)
 {
@@ -371,7 +401,9 @@ static int check(const struct view_options *options)
 		return bad_usage("no mesh", "command line",
 				 "give a file or a shape, see gloss-view --help");
 	if (options->turntable && !options->out)
-		return bad_usage("nowhere to write", "--turntable", "give --out FILE.png too");
+		return bad_usage("nowhere to write", "--turntable", "give --out FILE too");
+	if (options->out && !strcmp(options->out, "-"))
+		return check_stdout(options);
 	if (options->turntable && options->window)
 		return bad_usage("not together", "--turntable and --window", "give one of them");
 	if (!options->out && !options->compare && !options->stats && !options->window)

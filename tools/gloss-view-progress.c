@@ -8,6 +8,7 @@
 
 #define BAR 30
 #define INTERVAL 0.1			/* seconds between lines */
+#define PATIENCE 1			/* seconds of waiting that need no word */
 
 static double now(void)
 {
@@ -46,4 +47,29 @@ void progress_end(struct progress *progress)
 {
 	if (progress->shown)
 		fputc('\n', stderr);
+}
+
+void waiting_begin(struct waiting *waiting, const char *what)
+{
+	waiting->what = what;
+	waiting->start = now();
+	waiting->shown = false;
+}
+
+void waiting_show(void *data)
+{
+	struct waiting *waiting = data;
+	double seconds = now() - waiting->start;
+
+	if (seconds < PATIENCE || !isatty(STDERR_FILENO))
+		return;
+	waiting->shown = true;
+	fprintf(stderr, "\rreading %s, %d s\033[K", waiting->what, (int)seconds);
+	fflush(stderr);
+}
+
+void waiting_end(struct waiting *waiting)
+{
+	if (waiting->shown)
+		fputs("\r\033[K", stderr);
 }

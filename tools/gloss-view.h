@@ -14,6 +14,8 @@
 
 enum { VIEW_OK, VIEW_FAILED, VIEW_USAGE };	/* exit status */
 
+#define VIEW_SIZE_MAX 16384		/* pixels of a picture's side */
+
 struct view_options {
 	const char *mesh, *device;
 	int width, height;
@@ -91,6 +93,9 @@ void view_close(struct view *view);
  * if there is one. A picture larger than a target is drawn part by part.
  */
 int view_draw(struct view *view, enum accel_shading shading, struct picture *picture);
+/* Makes picture and eye fit the size of the options. */
+int view_resize(struct view *view);
+void view_set_sides(struct view *view, bool two_sided);
 int view_write(const struct picture *picture, const char *path);
 const char *view_shading_name(enum accel_shading shading);
 
@@ -103,6 +108,18 @@ int view_turntable(struct view *view);
 int view_window(struct view *view);
 
 /* gloss-view-progress.c: a line on stderr, if that is a terminal. */
+struct waiting {
+	const char *what;
+	double start;			/* seconds */
+	bool shown;
+};
+
+/* Shows what is waited for, and for how long, once that is a second. */
+void waiting_begin(struct waiting *waiting, const char *what);
+void waiting_show(void *waiting);
+/* Takes the line away. */
+void waiting_end(struct waiting *waiting);
+
 struct progress {
 	bool shown;
 	int total;

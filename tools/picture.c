@@ -4,6 +4,8 @@
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
 
 #include "output.h"
 #include "picture.h"
@@ -50,7 +52,22 @@ static uint8_t *rgb_bytes(const struct picture *picture)
 	return bytes;
 }
 
-static int write_png(const struct picture *picture, FILE *file)
+static bool ends_in(const char *path, const char *ending)
+{
+	size_t length = strlen(path), size = strlen(ending);
+
+	return length > size && !strcasecmp(path + length - size, ending);
+}
+
+bool picture_named(const char *path)
+{
+	struct stat status;
+
+	return ends_in(path, ".png") || ends_in(path, ".ppm") || !strcmp(path, "-") ||
+	       (!stat(path, &status) && !S_ISREG(status.st_mode));
+}
+
+static int write_png(const struct picture *picture, const uint8_t *bytes, FILE *file)
 {
 	png_image image = {
 		.version = PNG_IMAGE_VERSION,
@@ -58,14 +75,30 @@ static int write_png(const struct picture *picture, FILE *file)
 		.height = picture->height,
 		.format = PNG_FORMAT_RGB,
 	};
+
+	return png_image_write_to_stdio(&image, file, 0, bytes, 0, NULL) ? 0 : -EIO;
+}
+
+static int write_ppm(const struct picture *picture, const uint8_t *bytes, FILE *file)
+{
+	size_t pixels = (size_t)picture->width * picture->height;
+
+	fprintf(file, "P6\n%d %d\n255\n", picture->width, picture->height);
+	return fwrite(bytes, 3, pixels, file) == pixels ? 0 : -EIO;
+}
+
+static int write_to(const struct picture *picture, const char *path, FILE *file)
+{
 	uint8_t *bytes = rgb_bytes(picture);
-	int error = 0;
+	int error;
 
 	if (!bytes)
 		return -ENOMEM;
 	errno = 0;
-	if (!png_image_write_to_stdio(&image, file, 0, bytes, 0, NULL))
-		error = errno ? -errno : -EIO;
+	error = ends_in(path, ".ppm") ? write_ppm(picture, bytes, file) :
+					write_png(picture, bytes, file);
+	if (error && errno)
+		error = -errno;
 	free(bytes);
 	return error;
 }
@@ -75,10 +108,14 @@ int picture_write(const struct picture *picture, const char *path)
 	struct output output;
 	int error;
 
+	if (!strcmp(path, "-")) {
+		error = write_to(picture, path, stdout);
+		return !error && fflush(stdout) ? -errno : error;
+	}
 	error = output_open(&output, path);
 	if (error)
 		return error;
-	error = write_png(picture, output.file);
+	error = write_to(picture, path, output.file);
 	if (!error)
 		return output_commit(&output);
 	output_discard(&output);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pictures in memory and as PNG files. */
+/* Pictures in memory and in files. */
 #ifndef TOOLS_PICTURE_H
 #define TOOLS_PICTURE_H
 
@@ -29,7 +29,12 @@ void picture_copy(struct picture *picture, int x, int y, const struct picture *s
 void picture_text(struct picture *picture, int x, int y, const char *text, int scale,
 		  uint32_t colour);
 
-/* Writes red, green and blue as a PNG file, whole or not at all (output.h). -errno */
+/* Whether @path ends in .png or .ppm, or needs no ending: "-", a device, a pipe, a folder. */
+bool picture_named(const char *path);
+/*
+ * Writes red, green and blue to a file that appears whole or not at all (output.h), as PPM if
+ * @path ends in .ppm, else as PNG; "-" is standard output. -errno
+ */
 int picture_write(const struct picture *picture, const char *path);
 /* -errno; -EINVAL: not a PNG file. */
 int picture_read(struct picture *picture, const char *path);
