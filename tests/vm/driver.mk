@@ -2,9 +2,9 @@
 # Tests of the kernel module alone: what its files say to right, wrong and hostile programs, and
 # what it does when the board fails.
 
-VM_TESTS += user:test_ioctl user:test_submit user:test_isolation:120 root:test_storm:120 \
-	root:test_inspect root:test_fault:120 root:test_unplug:120 \
-	root:test_failslab:120 user:test_fuzz_ioctl user:test_memory:120 root:test_swap
+VM_TESTS += user:test_ioctl user:test_submit user:test_isolation:600 root:test_storm:600 \
+	root:test_inspect root:test_fault:600 root:test_unplug:600 \
+	root:test_failslab:600 user:test_fuzz_ioctl user:test_memory:600 root:test_swap
 VM_BENCHES += root:test_latency
 
 DRIVER_TESTS := $(addprefix $(BUILD)/tests/vm/test_, ioctl submit isolation storm latency inspect \

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Boards on USB that fail: the cable, the board, the program that has it.
 
-VM_TESTS += root:test_usb_faults:180
+VM_TESTS += root:test_usb_faults:900
 VM_ONCE += test_usb_faults
 
 # Under ASan, the library too: so that nothing that fails leaves anything behind.

@@ -19,7 +19,7 @@
 #define EXIT_SKIP     77
 #define RENDER_GROUP  105 /* where the host has no group "render" */
 #define FAULT_TIMEOUT "timeout_ms=500"
-#define STEP_SECONDS  60
+#define STEP_SECONDS  300
 #define NODE_MS	      10000
 
 static struct plan plan;
