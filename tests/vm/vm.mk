@@ -86,13 +86,20 @@ UNIT_TESTS += kernels
 CHECKS  += check-vm
 BENCHES += bench-vm
 
-# The same on a kernel that checks everything; with its own module, made for that kernel.
-KASAN_DRIVER := $(BUILD)/driver-kasan
-check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak...; builds a kernel at first
-	$(Q)kernel=$$(tests/vm/kasan-kernel $(or $(GLOSS_CACHE),$(BUILD))) && \
-	$(MAKE) --no-print-directory module vm-test-modules KDIR=$$kernel/build MODULE_BUILD=$(KASAN_DRIVER) && \
-	tests/vm/run --build $(BUILD) --driver $(KASAN_DRIVER) --results $(BUILD)/vm-kasan \
-		--kernel $$kernel/bzImage --modules none --debug --slow 5 --timeout 3600 \
+# The same on kernels that check everything, of each source that Debian installs; with modules made
+# for those.
+KASAN_KERNELS = $(or $(KERNEL),$(patsubst /usr/src/linux-source-%.tar.xz,%,$(wildcard \
+	/usr/src/linux-source-*.tar.xz)),6.12)
+
+check-kasan-%:
+	$(Q)kernel=$$(tests/vm/kasan-kernel $* $(or $(GLOSS_CACHE),$(BUILD))) && \
+	$(MAKE) --no-print-directory module vm-test-modules KDIR=$$kernel/build \
+		MODULE_BUILD=$(BUILD)/driver-kasan-$* && \
+	tests/vm/run --build $(BUILD) --driver $(BUILD)/driver-kasan-$* \
+		--results $(BUILD)/vm-kasan-$* --kernel $$kernel/bzImage --modules none --debug --slow 5 \
 		$(VM_NO_BENCH)
+
+check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak... (KERNEL); builds kernels at first
+	$(Q)+$(MAKE) --no-print-directory -k $(KASAN_KERNELS:%=check-kasan-%)
 
 -include $(wildcard $(BUILD)/tests/vm/*.d)
