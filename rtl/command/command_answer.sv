@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The job's response: how much room is left, what COUNTERS says, and the beats that say it. The words of a packet are
-// reserved as it is checked and count only when it is executed.
+// reserved as it is checked and count only when it is executed. That it was is taken into a register first: nobody asks
+// for the sums before the header of the next packet is checked.
 module command_answer #(
   parameter int unsigned PixelsPerClock = 1
 ) (
@@ -36,7 +37,7 @@ module command_answer #(
 
   logic [31:0] room_q, used_q, triangles_q, tiles_q;
   logic [16:0] reserved_q, wanted_q; // a tile's colour and depth, or 65535 words read
-  logic        short_q;
+  logic        short_q, commit_q, cancel_q, triangle_q, tile_q;
   gloss_pkg::work_counters_t work;
 
   assign short_o = short_q;
@@ -54,6 +55,7 @@ module command_answer #(
       reserved_q <= '0;
       triangles_q <= '0;
       tiles_q <= '0;
+      {commit_q, cancel_q, triangle_q, tile_q} <= '0;
     end else if (start_i) begin
       room_q <= room_i;
       used_q <= '0;
@@ -61,14 +63,15 @@ module command_answer #(
       triangles_q <= '0;
       tiles_q <= '0;
     end else begin
+      {commit_q, cancel_q, triangle_q, tile_q} <= {commit_i, cancel_i, triangle_i, tile_i};
       if (reserve_i) reserved_q <= wanted_q;
-      if (commit_i) begin
+      if (commit_q) begin
         room_q <= room_q - {15'b0, reserved_q};
         used_q <= used_q + {15'b0, reserved_q};
       end
-      if (commit_i || cancel_i) reserved_q <= '0;
-      if (triangle_i) triangles_q <= triangles_q + 1'b1;
-      if (tile_i) tiles_q <= tiles_q + 1'b1;
+      if (commit_q || cancel_q) reserved_q <= '0;
+      if (triangle_q) triangles_q <= triangles_q + 1'b1;
+      if (tile_q) tiles_q <= tiles_q + 1'b1;
     end
   end
 

@@ -99,10 +99,14 @@ module command_decode #(
   logic [1:0]           row_part;
   logic [4:0]           row_row;
 
-  // A fault: refused_q for a clock, in which nothing moves; then cause and place stay in these.
-  logic                 refused_q, refuse;
-  logic [3:0]           cause_q, cause;
-  logic [3:0]           behind_q, behind;   // words taken from the faulty one on
+  // A fault: refused_q for a clock, in which nothing moves. What each check said goes to registers first; the one that
+  // counts is chosen in that clock, and then cause and place stay in cause_q and behind_q.
+  logic                 refused_q, refuse, step_refuse;
+  logic [3:0]           step_cause, step_cause_q, header_fault_q, cause_q;
+  logic                 row_refuse, row_refuse_q;
+  logic                 step_behind, step_behind_q;  // words taken from the faulty one on
+  logic [CountBits-1:0] row_behind_q, header_behind_q;
+  logic [3:0]           behind_q;
   logic [31:0]          offset_q;
 
   command_header header_check (
@@ -134,30 +138,30 @@ module command_decode #(
     op_row = '0;
     packet_start_o = 1'b0;
     packet_drop_o = 1'b0;
-    refuse = 1'b0;
-    cause = gloss_pkg::FAULT_NONE;
-    behind = 4'd1;
+    step_refuse = 1'b0;
+    step_cause = gloss_pkg::FAULT_NONE;
+    step_behind = 1'b1;
     stall_stream_o = 1'b0;
 
     unique case (state_q)
       Idle: begin
-        job_ready_o = op_ready;
+        job_ready_o = 1'b1;
         if (start_o) state_d = Reset;
       end
       Reset: begin
         op_push = 1'b1;
-        state_d = Header;
+        if (op_ready) state_d = Header;
       end
       Header:
         if (op_ready) begin
           if (memory_error_i) begin
-            refuse = 1'b1;
-            cause = gloss_pkg::FAULT_MEMORY;
-            behind = '0;
+            step_refuse = 1'b1;
+            step_cause = gloss_pkg::FAULT_MEMORY;
+            step_behind = 1'b0;
           end else if (end_i) begin
-            refuse = in_tile_i;
-            cause = gloss_pkg::FAULT_ORDER;
-            behind = '0;
+            step_refuse = in_tile_i;
+            step_cause = gloss_pkg::FAULT_ORDER;
+            step_behind = 1'b0;
             state_d = Finish;
           end else if (have_i != '0) begin
             take = CountBits'(1);
@@ -200,8 +204,8 @@ module command_decode #(
         op_push = packet_push_i;
         op_kind = packet_kind_i;
         op_part = packet_part_i;
-        refuse = packet_refuse_i;
-        cause = packet_cause_i;
+        step_refuse = packet_refuse_i;
+        step_cause = packet_cause_i;
         if (packet_done_i) state_d = Header;
       end
       Locate: state_d = Drop;
@@ -223,16 +227,6 @@ module command_decode #(
       default: state_d = Idle;
     endcase
 
-    if (row_check_q && row_bad) begin
-      refuse = 1'b1;
-      cause = gloss_pkg::FAULT_VALUE;
-      behind = 4'(row_behind);
-    end
-    if (header_fault != gloss_pkg::FAULT_NONE) begin
-      refuse = 1'b1;
-      cause = header_fault;
-      behind = 4'd1 + 4'(take_q);
-    end
     if (refused_q) begin
       state_d = Locate;
       take = '0;
@@ -240,7 +234,6 @@ module command_decode #(
       row_take = 1'b0;
       op_push = 1'b0;
       packet_start_o = 1'b0;
-      refuse = 1'b0;
     end
   end
 
@@ -267,7 +260,7 @@ module command_decode #(
       header_check_q <= header_take;
       row_check_q <= row_take;
       if (header_take) skip_q <= words_i[10:0];
-      else if (state_q == Skip) skip_q <= skip_q - 11'(take);
+      else if (state_q == Skip && have_i != '0) skip_q <= skip_q - 1'b1;
     end
   end
 
@@ -291,6 +284,18 @@ module command_decode #(
   end
 
   // ---- faults ----
+  assign row_refuse = row_check_q && row_bad;
+  assign refuse = !refused_q && (step_refuse || row_refuse || header_fault != gloss_pkg::FAULT_NONE);
+
+  always_ff @(posedge clk_i) begin
+    step_cause_q <= step_cause;
+    step_behind_q <= step_behind;
+    row_refuse_q <= row_refuse;
+    row_behind_q <= row_behind;
+    header_fault_q <= header_fault;
+    header_behind_q <= take_q;
+  end
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       refused_q <= 1'b0;
@@ -304,10 +309,17 @@ module command_decode #(
       if (start_o) begin
         cause_q <= gloss_pkg::FAULT_NONE;
         offset_q <= job_stream_words_i;
-      end else if (refuse) begin
-        cause_q <= cause;
-        behind_q <= behind;
       end else if (refused_q) begin
+        if (header_fault_q != gloss_pkg::FAULT_NONE) begin
+          cause_q <= header_fault_q;
+          behind_q <= 4'd1 + 4'(header_behind_q);
+        end else if (row_refuse_q) begin
+          cause_q <= gloss_pkg::FAULT_VALUE;
+          behind_q <= 4'(row_behind_q);
+        end else begin
+          cause_q <= step_cause_q;
+          behind_q <= {3'b0, step_behind_q};
+        end
         // Left is what it was when the fault was found, whatever was taken in that clock.
         offset_q <= offset_q - left_i;
       end else if (state_q == Locate) begin

@@ -107,38 +107,27 @@ module command_record #(
     end
   end
 
-  // ---- the check, one clock behind ----
-  logic [1:0]           checked_part_q;
-  logic [4:0]           checked_row_q;
+  // ---- the check, one clock behind; what to look for is worked out when the row is taken ----
   logic [CountBits-1:0] checked_words_q;
   logic [Lanes-1:0]     bad_lane;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      checked_part_q <= '0;
-      checked_row_q <= '0;
-      checked_words_q <= '0;
-    end else if (take_i) begin
-      checked_part_q <= part_q;
-      checked_row_q <= row_q;
-      checked_words_q <= words_o;
-    end
+    if (!rst_ni) checked_words_q <= '0;
+    else if (take_i) checked_words_q <= words_o;
   end
 
   for (genvar l = 0; l < Lanes; l++) begin : gen_lane
-    logic [31:0] value, reserved;
+    logic [31:0] value, reserved, reserved_q;
     logic [3:0]  word;
-    logic        rows_here;
+    logic        rows_here, rows_here_q;
     logic [6:0]  last_row;
 
-    assign value = data_i[32*l +: 32];
-    assign word = 4'(checked_row_q * 5'(Lanes)) | 4'(l);
-    assign last_row = {1'b0, value[21:16]} + {1'b0, value[29:24]};
+    assign word = 4'(row_q * 5'(Lanes)) | 4'(l);
 
     always_comb begin
       reserved = '0;
       rows_here = 1'b0;
-      unique case (checked_part_q)
+      unique case (part_q)
         gloss_pkg::PART_EDGES:
           if (header_q.geometry == gloss_pkg::GEOMETRY_WIDE) begin
             reserved = WideReserved[{word, 5'b0} +: 32];
@@ -155,9 +144,22 @@ module command_record #(
             reserved = gloss_pkg::COLOUR_FLAT_RESERVED;
         default: ;
       endcase
-      bad_lane[l] = CountBits'(l) < checked_words_q &&
-                    ((value & reserved) != '0 || (rows_here && (last_row & PastTile) != '0));
+      if (CountBits'(l) >= words_q) begin
+        reserved = '0;
+        rows_here = 1'b0;
+      end
     end
+
+    always_ff @(posedge clk_i) begin
+      if (take_i) begin
+        reserved_q <= reserved;
+        rows_here_q <= rows_here;
+      end
+    end
+
+    assign value = data_i[32*l +: 32];
+    assign last_row = {1'b0, value[21:16]} + {1'b0, value[29:24]};
+    assign bad_lane[l] = (value & reserved_q) != '0 || (rows_here_q && (last_row & PastTile) != '0);
   end
 
   always_comb begin

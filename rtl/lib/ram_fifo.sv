@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A FIFO in block RAM for Depth words (a power of two) and one more; first word falls through. Full rate; a word is at
-// the output two clocks after it was taken. No path from ready_i to ready_o or from valid_i to valid_o.
+// the output two clocks after it was taken. ready_o and valid_o come from registers.
 module ram_fifo #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 256
@@ -20,13 +20,14 @@ module ram_fifo #(
   localparam int unsigned Bits = $clog2(Depth);
 
   logic [Bits:0] head_q, tail_q;
-  logic valid_q, fetch;
+  logic valid_q, full_q, fetch, fills;
 
-  assign ready_o = (head_q ^ tail_q) != {1'b1, {Bits{1'b0}}};
+  assign ready_o = !full_q;
   assign valid_o = valid_q;
 
   // The RAM's own output register is the place of the first word.
   assign fetch = head_q != tail_q && (!valid_q || ready_i);
+  assign fills = head_q[Bits-1:0] + 1'b1 == tail_q[Bits-1:0];  // the next word taken is the last that fits
 
   ram_1r1w #(
     .Width(Width),
@@ -46,10 +47,12 @@ module ram_fifo #(
       head_q <= '0;
       tail_q <= '0;
       valid_q <= 1'b0;
+      full_q <= 1'b0;
     end else begin
       if (valid_i && ready_o) head_q <= head_q + 1'b1;
       if (fetch) tail_q <= tail_q + 1'b1;
       valid_q <= fetch || (valid_q && !ready_i);
+      full_q <= !fetch && (full_q || (valid_i && fills));
     end
   end
 
