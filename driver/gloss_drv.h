@@ -419,6 +419,7 @@ void gloss_ring_fail(struct gloss_ring *ring, int error);
 bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault);
 void gloss_ring_rewind(struct gloss_ring *ring);
 bool gloss_ring_idle(struct gloss_ring *ring);
+u64 gloss_ring_engine_ns(struct gloss_ring *ring, const struct gloss_file *file);
 
 /* Where the board finds what is @at, a part of @ring->shared. */
 static inline dma_addr_t gloss_ring_address(const struct gloss_ring *ring, const void *at)

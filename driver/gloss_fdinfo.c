@@ -6,29 +6,66 @@
 #include <drm/drm_drv.h>
 #include <drm/drm_file.h>
 #include <drm/drm_gem.h>
+#include <linux/dma-resv.h>
+#include <linux/fs.h>
 #include <linux/idr.h>
 #include <linux/pci.h>
 #include <linux/seq_file.h>
 
 #include "gloss_drv.h"
 
-struct gloss_fdinfo_sizes {
-	u64 host, board;
+struct gloss_fdinfo_region {
+	u64 total, shared, resident, active;
 };
+
+struct gloss_fdinfo_sizes {
+	struct gloss_fdinfo_region memory;	/* pages of the host */
+	struct gloss_fdinfo_region board;
+};
+
+/* Of an imported object nobody here knows which pages are there; they are mapped for DMA. */
+static u64 gloss_fdinfo_resident(const struct drm_gem_object *gem)
+{
+	if (!gem->filp)
+		return gem->size;
+	return (u64)READ_ONCE(gem->filp->f_mapping->nrpages) << PAGE_SHIFT;
+}
 
 static int gloss_fdinfo_add(int handle, void *object, void *data)
 {
 	const struct drm_gem_object *gem = object;
 	struct gloss_fdinfo_sizes *sizes = data;
+	struct gloss_fdinfo_region *region = &sizes->memory;
 
 	/* A handle is in the table a moment before its object is. */
 	if (!gem)
 		return 0;
 	if (gloss_gem_is_board(gem))
-		sizes->board += gem->size;
-	else
-		sizes->host += gem->size;
+		region = &sizes->board;
+	region->total += gem->size;
+	region->resident += gloss_fdinfo_resident(gem);
+	if (gem->handle_count > 1)
+		region->shared += gem->size;
+	if (!dma_resv_test_signaled(gem->resv, dma_resv_usage_rw(true)))
+		region->active += gem->size;
 	return 0;
+}
+
+static void gloss_fdinfo_show_region(struct seq_file *m, const char *name,
+				     const struct gloss_fdinfo_region *region)
+{
+	seq_printf(m, "drm-total-%s:\t%llu KiB\n", name, region->total / SZ_1K);
+	seq_printf(m, "drm-shared-%s:\t%llu KiB\n", name, region->shared / SZ_1K);
+	seq_printf(m, "drm-resident-%s:\t%llu KiB\n", name, region->resident / SZ_1K);
+	seq_printf(m, "drm-active-%s:\t%llu KiB\n", name, region->active / SZ_1K);
+}
+
+/* The board is one engine. Of the job it has at the moment the time until now counts. */
+static void gloss_fdinfo_show_engine(struct seq_file *m, struct gloss_file *gfile)
+{
+	seq_printf(m, "drm-engine-render:\t%llu ns\n",
+		   gloss_ring_engine_ns(&gfile->gdev->ring, gfile));
+	seq_puts(m, "drm-engine-capacity-render:\t1\n");
 }
 
 void gloss_fdinfo_show(struct seq_file *m, struct file *filp)
@@ -45,7 +82,7 @@ void gloss_fdinfo_show(struct seq_file *m, struct file *filp)
 	seq_printf(m, "drm-driver:\t%s\n", drm->driver->name);
 	seq_printf(m, "drm-pdev:\t%s\n", dev_name(drm->dev));
 	seq_printf(m, "drm-client-id:\t%llu\n", gloss_file_client(gfile));
-	seq_printf(m, "drm-engine-gloss:\t%llu ns\n", (u64)atomic64_read(&gfile->engine_ns));
-	seq_printf(m, "drm-memory-host:\t%llu KiB\n", sizes.host / SZ_1K);
-	seq_printf(m, "drm-memory-board:\t%llu KiB\n", sizes.board / SZ_1K);
+	gloss_fdinfo_show_engine(m, gfile);
+	gloss_fdinfo_show_region(m, "memory", &sizes.memory);
+	gloss_fdinfo_show_region(m, "board", &sizes.board);
 }

@@ -137,17 +137,40 @@ static bool gloss_ring_ended(struct gloss_ring *ring, const struct gloss_job *jo
 }
 
 /* The board worked for a job since it had it, but not before the job ahead had ended. */
+static s64 gloss_ring_worked_ns(const struct gloss_ring *ring, const struct gloss_job *job,
+				ktime_t now)
+{
+	ktime_t begun = ktime_after(job->begun, ring->idle) ? job->begun : ring->idle;
+
+	return ktime_to_ns(ktime_sub(now, begun));
+}
+
+/* The board has ended a job, or was reset while it had it. */
 static void gloss_ring_account(struct gloss_ring *ring, const struct gloss_job *job)
 {
 	ktime_t now = ktime_get();
-	ktime_t begun = ktime_after(job->begun, ring->idle) ? job->begun : ring->idle;
-	s64 ns = ktime_to_ns(ktime_sub(now, begun));
+	s64 ns = gloss_ring_worked_ns(ring, job, now);
 
 	ring->idle = now;
 	ring->busy_ns += ns;
-	ring->jobs++;
 	if (job->file)
 		atomic64_add(ns, &job->file->engine_ns);
+}
+
+/* How long the board has worked for @file, up to now. */
+u64 gloss_ring_engine_ns(struct gloss_ring *ring, const struct gloss_file *file)
+{
+	const struct gloss_job *job;
+	unsigned long flags;
+	u64 ns;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	ns = atomic64_read(&file->engine_ns);
+	job = gloss_ring_first(ring);
+	if (job && job->file == file)
+		ns += gloss_ring_worked_ns(ring, job, ktime_get());
+	spin_unlock_irqrestore(&ring->lock, flags);
+	return ns;
 }
 
 static void gloss_ring_note_fault(struct gloss_ring *ring, const struct gloss_job *job,
@@ -166,6 +189,7 @@ static void gloss_ring_end(struct gloss_ring *ring, struct gloss_job *job,
 			   const struct drm_gloss_status *status)
 {
 	ring->head++;
+	ring->jobs++;
 	gloss_ring_account(ring, job);
 	if (status->cause)
 		gloss_ring_note_fault(ring, job, status);
@@ -241,6 +265,9 @@ void gloss_ring_rewind(struct gloss_ring *ring)
 	unsigned long flags;
 
 	spin_lock_irqsave(&ring->lock, flags);
+	job = gloss_ring_first(ring);
+	if (job)
+		gloss_ring_account(ring, job);
 	for (; (job = gloss_ring_first(ring)); ring->head++)
 		job->state = GLOSS_JOB_WAITING;
 	ring->head = 0;

@@ -17,6 +17,9 @@ $(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug swap): \
 $(BUILD)/tests/vm/test_isolation: $(STREAM_RANDOM_OBJS)
 $(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
 
+# Where the C library has dlopen() apart.
+$(BUILD)/tests/vm/test_inspect: VM_LIBS += -ldl
+
 # What tests need of their own in the kernel, built beside gloss.ko for the kernel it is for.
 VM_MODULES := $(MODULE_BUILD)/test/.built
 VM_MODULE_SOURCES := $(sort $(wildcard tests/vm/modules/*.c)) tests/vm/modules/Kbuild

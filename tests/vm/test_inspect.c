@@ -3,12 +3,14 @@
  * What the module tells an operator, in debugfs, fdinfo and tracepoints, is true of jobs
  * that this program sends. As root.
  */
+#include <dlfcn.h>
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 
 #include <cmocka.h>
+#include <xf86drm.h>
 
 #include "faults.h"
 #include "gloss_node.h"
@@ -157,29 +159,107 @@ static void fdinfo_names_driver_and_board(void **state)
 
 static void fdinfo_counts_memory(void **state)
 {
-	uint64_t host = number(fdinfo(), "drm-memory-host:\t");
+	uint64_t total = number(fdinfo(), "drm-total-memory:\t");
 	uint32_t handle;
 
 	(void)state;
-	assert_int_equal(host, CLIENT_HOST_BYTES / 1024);
-	assert_int_equal(number(fdinfo(), "drm-memory-board:\t"), BOARD_BYTES / 1024);
+	assert_int_equal(total, CLIENT_HOST_BYTES / 1024);
+	assert_int_equal(number(fdinfo(), "drm-total-board:\t"), BOARD_BYTES / 1024);
+	assert_int_equal(number(fdinfo(), "drm-resident-board:\t"), BOARD_BYTES / 1024);
 	assert_int_equal(node_create(client.fd, DRM_GLOSS_GEM_HOST, 1 << 20, &handle), 0);
-	assert_int_equal(number(fdinfo(), "drm-memory-host:\t"), host + 1024);
+	assert_int_equal(number(fdinfo(), "drm-total-memory:\t"), total + 1024);
 	assert_int_equal(node_destroy(client.fd, handle), 0);
-	assert_int_equal(number(fdinfo(), "drm-memory-host:\t"), host);
+	assert_int_equal(number(fdinfo(), "drm-total-memory:\t"), total);
+}
+
+/* A page is there when it is first touched, all of an object's when a job uses it. */
+static void fdinfo_counts_pages_that_are_there(void **state)
+{
+	uint64_t before = number(fdinfo(), "drm-resident-memory:\t");
+	struct node_buffer buffer;
+
+	(void)state;
+	assert_int_equal(before, CLIENT_HOST_BYTES / 1024);
+	assert_int_equal(node_buffer_new(client.fd, 1 << 20, &buffer), 0);
+	assert_int_equal(number(fdinfo(), "drm-resident-memory:\t"), before);
+	memset(buffer.map, 1, 2 * NODE_PAGE);
+	assert_int_equal(number(fdinfo(), "drm-resident-memory:\t"),
+			 before + 2 * NODE_PAGE / 1024);
+	node_buffer_free(client.fd, &buffer);
+}
+
+static void fdinfo_counts_what_other_files_share(void **state)
+{
+	struct client other;
+	uint32_t handle;
+	int file;
+
+	(void)state;
+	assert_int_equal(client_open(&other, vm_env("GLOSS_NODE_MODEL"), 0), 0);
+	assert_int_equal(number(fdinfo(), "drm-shared-memory:\t"), 0);
+	assert_int_equal(drmPrimeHandleToFD(client.fd, client.host.handle, DRM_CLOEXEC, &file), 0);
+	assert_int_equal(drmPrimeFDToHandle(other.fd, file, &handle), 0);
+	assert_int_equal(number(fdinfo(), "drm-shared-memory:\t"), CLIENT_HOST_BYTES / 1024);
+	close(file);
+	client_close(&other);
+	assert_int_equal(number(fdinfo(), "drm-shared-memory:\t"), 0);
 }
 
 static void fdinfo_counts_engine_time(void **state)
 {
 	volatile uint32_t *window = vm_faults("GLOSS_PCI_MODEL");
-	uint64_t before = number(fdinfo(), "drm-engine-gloss:\t");
+	uint64_t before = number(fdinfo(), "drm-engine-render:\t");
 
 	(void)state;
 	window[VBOARD_FAULT_SLOW / 4] = 50000;
 	assert_true(client_works(&client));
 	assert_true(client_works(&client));
 	window[VBOARD_FAULT_SLOW / 4] = 0;
-	assert_in_range(number(fdinfo(), "drm-engine-gloss:\t") - before, 90000000, 2000000000);
+	assert_in_range(number(fdinfo(), "drm-engine-render:\t") - before, 90000000, UINT32_MAX);
+	assert_int_equal(number(fdinfo(), "drm-engine-capacity-render:\t"), 1);
+}
+
+/* The time of a job and what it uses are seen while it runs, and its time is not lost at its end. */
+static void fdinfo_moves_while_a_job_runs(void **state)
+{
+	volatile uint32_t *window = vm_faults("GLOSS_PCI_MODEL");
+	uint64_t first, second;
+
+	(void)state;
+	window[VBOARD_FAULT_HANG / 4] = 1;
+	assert_int_equal(client_queue(&client, 0), 0);
+	first = number(fdinfo(), "drm-engine-render:\t");
+	assert_int_not_equal(number(fdinfo(), "drm-active-board:\t"), 0);
+	vm_expect("hung the board");
+	do
+		second = number(fdinfo(), "drm-engine-render:\t");
+	while (second <= first && node_fence_error(client.fd, client.queued[0]) == -EBUSY);
+	assert_int_equal(node_fence_error(client.fd, client.queued[0]), -EBUSY);
+	assert_int_equal(client_queue_wait(&client, 0), -EIO);
+	vm_expect_end();
+	window[VBOARD_FAULT_HANG / 4] = 0;
+	assert_in_range(number(fdinfo(), "drm-engine-render:\t"), second, UINT64_MAX);
+	assert_int_equal(number(fdinfo(), "drm-active-board:\t"), 0);
+}
+
+/* The parser of IGT's tools, gputop among them, if it is installed. */
+static void igts_parser_reads_fdinfo(void **state)
+{
+	enum { KEYS = 4 };	/* driver, device, client, engine with its capacity */
+	static char info[1 << 16];
+	unsigned int (*parse)(int fd, void *info, const char **engines, unsigned int engine_count,
+			      const char **regions, unsigned int region_count);
+	void *igt = dlopen("libigt.so.0", RTLD_LAZY);
+
+	(void)state;
+	if (!igt) {
+		print_message("no libigt.so.0; install intel-gpu-tools (make deps)\n");
+		skip();
+	}
+	*(void **)&parse = dlsym(igt, "igt_parse_drm_fdinfo");
+	assert_non_null(parse);
+	assert_in_range(parse(client.fd, info, NULL, 0, NULL, 0), KEYS, 64);
+	assert_string_equal(info, "gloss");
 }
 
 /* ---- tracepoints ---- */
@@ -239,7 +319,11 @@ int main(void)
 		inspect_test(board_memory_is_shown),
 		inspect_test(fdinfo_names_driver_and_board),
 		inspect_test(fdinfo_counts_memory),
+		inspect_test(fdinfo_counts_pages_that_are_there),
+		inspect_test(fdinfo_counts_what_other_files_share),
 		inspect_test(fdinfo_counts_engine_time),
+		inspect_test(fdinfo_moves_while_a_job_runs),
+		inspect_test(igts_parser_reads_fdinfo),
 		inspect_test(a_jobs_life_can_be_traced),
 	};
 
