@@ -269,6 +269,12 @@ void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green
 void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
 /* Lighting off (the default): vertex colours, or white without, are drawn as they are. */
 void accel_state_set_lighting(struct accel_state *state, bool enabled);
+/*
+ * With lighting, a mesh's colours (limited to 0..1) are the material's ambient and diffuse
+ * reflectances, of both sides, and alpha (true), or nothing (false, the default). What OpenGL
+ * calls COLOR_MATERIAL, as it stands there by default. A mesh without colours has the material's.
+ */
+void accel_state_set_colour_material(struct accel_state *state, bool enabled);
 /* Back faces are lit with the normal reversed and the back material (true), or as front
  * faces (false, the default). */
 void accel_state_set_two_sided(struct accel_state *state, bool enabled);

@@ -56,7 +56,7 @@ struct accel_state {
 	bool depth_write;
 	bool colour_mask[4];
 	enum accel_cull cull;
-	bool lighting, two_sided, local_viewer;
+	bool lighting, two_sided, local_viewer, colour_material;
 	float ambient[4];
 	struct accel_material material[2];	/* front, back */
 	struct accel_light light[ACCEL_LIGHTS];

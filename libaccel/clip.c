@@ -20,6 +20,8 @@ static void between(const struct accel_corner *inside, const struct accel_corner
 		corner->vertex.eye[i] = a->eye[i] + s * (b->eye[i] - a->eye[i]);
 		corner->vertex.normal[i] = a->normal[i] + s * (b->normal[i] - a->normal[i]);
 	}
+	for (int i = 0; i < 4; i++)
+		corner->vertex.paint[i] = a->paint[i] + s * (b->paint[i] - a->paint[i]);
 	corner->vertex.sampled = 0;
 }
 

@@ -181,6 +181,7 @@ static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 		.state = state,
 		.mesh = mesh,
 		.lit = state->lighting,
+		.painted = state->lighting && state->colour_material && mesh->colour,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
@@ -194,7 +195,7 @@ static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 	pass.cache = draw->cache;
 	pass.number = ++draw->passes;
 	accel_geometry_init(&pass.transform, state, target->width, target->height);
-	accel_lighting_init(&pass.lighting, state);
+	accel_lighting_init(&pass.lighting, state, pass.painted);
 	err = accel_mesh_transform(&pass);
 	if (!err)
 		err = set_target(draw, target);

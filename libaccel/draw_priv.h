@@ -83,6 +83,7 @@ struct accel_vertex {
 	double z;			/* of the window, 0 to 1 */
 	float eye[3];
 	float normal[3];		/* eye space; unit at a mesh's vertices, linear between */
+	float paint[4];			/* the mesh's colour, where it is the material's; else 1 */
 	unsigned int sampled;		/* 0 no, 1 as front, 2 as back side */
 	struct accel_sample sample;
 };
@@ -161,7 +162,8 @@ struct accel_lamp {
 
 /* One side of the material under all lights. */
 struct accel_finish {
-	float base[3];			/* what is the same everywhere */
+	float base[3];			/* what is the same everywhere, and takes the paint */
+	float emission[3];		/* what takes none; in base if there is none */
 	float alpha;
 	float shininess;
 	float faint_cosine;		/* below it a highlight is not worth its power function */
@@ -177,10 +179,13 @@ struct accel_lighting {
 	struct accel_finish finish[2];	/* front, back */
 };
 
-void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state);
-/* @normal need not be unit length; the back side has it reversed. */
+/* @painted: ambient and diffuse reflectance, and alpha, are the paint of each sample. */
+void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state,
+			 bool painted);
+/* @normal need not be unit length; the back side has it reversed. @paint is 1 if not painted. */
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
-			   const float normal[3], struct accel_sample *sample);
+			   const float normal[3], const float paint[4],
+			   struct accel_sample *sample);
 /* @x to the power of @n, 0 <= x <= 1, 0 <= n; 0 below 2^-126. */
 float accel_lighting_power(float x, float n);
 
@@ -198,7 +203,7 @@ struct accel_pass {
 	struct accel_device *device;	/* for messages */
 	const struct accel_state *state;
 	const struct accel_mesh *mesh;
-	bool lit;
+	bool lit, painted;
 	struct accel_transform transform;
 	struct accel_lighting lighting;
 	struct accel_vertex *vertex;	/* of the mesh */

@@ -87,8 +87,10 @@ float accel_lighting_power(float x, float n)
 	return y < 0 ? exp2_of(y) : 1;
 }
 
+static const float white[4] = { 1, 1, 1, 1 };
+
 static void lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
-		      const struct accel_light *light)
+		      const struct accel_light *light, bool painted)
 {
 	static const float ahead[3] = { 0, 0, 1 };
 
@@ -113,8 +115,8 @@ static void lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
 	for (int side = 0; side < 2; side++) {
 		const struct accel_material *material = &state->material[side];
 
-		product(lamp->ambient[side], light->ambient, material->ambient);
-		product(lamp->diffuse[side], light->diffuse, material->diffuse);
+		product(lamp->ambient[side], light->ambient, painted ? white : material->ambient);
+		product(lamp->diffuse[side], light->diffuse, painted ? white : material->diffuse);
 		product(lamp->specular[side], light->specular, material->specular);
 		lamp->shines |= brightest(lamp->specular[side]) > 0;
 	}
@@ -128,15 +130,17 @@ static float fall_cosine(float strength, float n, float level)
 	return n > 0 ? (float)pow((double)(level / strength), 1 / (double)n) : 0;
 }
 
-static void finish_init(struct accel_lighting *lighting, const struct accel_state *state, int side)
+static void finish_init(struct accel_lighting *lighting, const struct accel_state *state, int side,
+			bool painted)
 {
 	const struct accel_material *material = &state->material[side];
 	struct accel_finish *finish = &lighting->finish[side];
 	float diffuse[3] = { 0 }, specular[3] = { 0 };
 
-	product(finish->base, state->ambient, material->ambient);
+	product(finish->base, state->ambient, painted ? white : material->ambient);
 	for (int i = 0; i < 3; i++) {
-		finish->base[i] += material->emission[i];
+		finish->emission[i] = painted ? material->emission[i] : 0;
+		finish->base[i] += painted ? 0 : material->emission[i];
 		for (int j = 0; j < lighting->lamps; j++) {
 			const struct accel_lamp *lamp = &lighting->lamp[j];
 
@@ -146,7 +150,7 @@ static void finish_init(struct accel_lighting *lighting, const struct accel_stat
 			specular[i] += lamp->specular[side][i];
 		}
 	}
-	finish->alpha = fminf(fmaxf(material->diffuse[3], 0), 1);
+	finish->alpha = painted ? 1 : fminf(fmaxf(material->diffuse[3], 0), 1);
 	finish->shininess = material->shininess;
 	finish->diffuse = brightest(diffuse);
 	finish->specular = brightest(specular);
@@ -158,7 +162,8 @@ static void finish_init(struct accel_lighting *lighting, const struct accel_stat
 		sqrtf(fmaxf(1 - finish->visible_cosine * finish->visible_cosine, 0));
 }
 
-void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state)
+void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state,
+			 bool painted)
 {
 	lighting->local_viewer = state->local_viewer;
 	lighting->cone_exponent = 0;
@@ -168,20 +173,20 @@ void accel_lighting_init(struct accel_lighting *lighting, const struct accel_sta
 
 		if (!state->light[i].enabled)
 			continue;
-		lamp_init(lamp, state, &state->light[i]);
+		lamp_init(lamp, state, &state->light[i], painted);
 		lamp->bit = (uint8_t)(1 << i);
 		if (lamp->spot)
 			lighting->cone_exponent =
 				fmaxf(lighting->cone_exponent, lamp->cone_exponent);
 		lighting->lamps++;
 	}
-	finish_init(lighting, state, 0);
-	finish_init(lighting, state, 1);
+	finish_init(lighting, state, 0, painted);
+	finish_init(lighting, state, 1, painted);
 }
 
 /* A point of a surface and the directions there, all of unit length. */
 struct point {
-	const float *eye;
+	const float *eye, *paint;
 	float normal[3], viewer[3];
 };
 
@@ -232,7 +237,7 @@ static void add_lamp(const struct accel_lighting *lighting, const struct accel_l
 		factor = reach(lamp, point->eye, away, sample);
 		to = away;
 		for (int i = 0; i < 3; i++)
-			sample->colour[i] += factor * lamp->ambient[side][i];
+			sample->colour[i] += factor * lamp->ambient[side][i] * point->paint[i];
 	}
 	cosine = dot(point->normal, to);
 	if (lamp->shines) {
@@ -247,19 +252,21 @@ static void add_lamp(const struct accel_lighting *lighting, const struct accel_l
 	sample->facing |= lamp->bit;
 	cosine *= factor;
 	for (int i = 0; i < 3; i++)
-		sample->colour[i] += cosine * lamp->diffuse[side][i] +
+		sample->colour[i] += cosine * lamp->diffuse[side][i] * point->paint[i] +
 				     highlight * lamp->specular[side][i];
 }
 
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
-			   const float normal[3], struct accel_sample *sample)
+			   const float normal[3], const float paint[4],
+			   struct accel_sample *sample)
 {
-	struct point point = { .eye = eye, .viewer = { 0, 0, 1 } };
+	const struct accel_finish *finish = &lighting->finish[side];
+	struct point point = { .eye = eye, .paint = paint, .viewer = { 0, 0, 1 } };
 	float sign = side ? -1 : 1, distance;
 
 	*sample = (struct accel_sample){ .shine = -1 };
 	for (int i = 0; i < 3; i++) {
-		sample->colour[i] = lighting->finish[side].base[i];
+		sample->colour[i] = finish->base[i] * paint[i] + finish->emission[i];
 		point.normal[i] = sign * normal[i];
 	}
 	normalise(point.normal);
@@ -278,5 +285,5 @@ void accel_lighting_sample(const struct accel_lighting *lighting, int side, cons
 
 		sample->colour[i] = colour < ACCEL_COLOUR_MAX ? colour : ACCEL_COLOUR_MAX;
 	}
-	sample->colour[3] = lighting->finish[side].alpha;
+	sample->colour[3] = finish->alpha * paint[3];
 }

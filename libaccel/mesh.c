@@ -23,14 +23,15 @@ int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 	return 0;
 }
 
-/* The colour of a vertex without lighting. */
-static int vertex_colour(const float *colour, struct accel_sample *sample)
+/* A mesh's colour, limited; white if @colour is NULL. */
+static int vertex_colour(const float *colour, float out[4])
 {
-	*sample = (struct accel_sample){ .colour = { 1, 1, 1, 1 } };
-	for (int i = 0; i < 4 && colour; i++) {
-		if (!isfinite(colour[i]))
+	for (int i = 0; i < 4; i++) {
+		float value = colour ? colour[i] : 1;
+
+		if (!isfinite(value))
 			return -EINVAL;
-		sample->colour[i] = colour[i] < 0 ? 0 : colour[i] > 1 ? 1 : colour[i];
+		out[i] = value < 0 ? 0 : value > 1 ? 1 : value;
 	}
 	return 0;
 }
@@ -39,7 +40,7 @@ int accel_mesh_transform(struct accel_pass *pass)
 {
 	const struct accel_mesh *mesh = pass->mesh;
 	const float (*normal)[3] = pass->lit ? mesh->normal : NULL;
-	const float (*colour)[4] = pass->lit ? NULL : mesh->colour;
+	const float (*colour)[4] = pass->lit && !pass->painted ? NULL : mesh->colour;
 	int err;
 
 	for (uint32_t i = 0; i < mesh->vertices; i++) {
@@ -48,7 +49,10 @@ int accel_mesh_transform(struct accel_pass *pass)
 		err = accel_geometry_vertex(&pass->transform, mesh->position[i],
 					    normal ? normal[i] : NULL, vertex);
 		if (!err)
-			err = vertex_colour(colour ? colour[i] : NULL, &vertex->sample);
+			err = vertex_colour(colour ? colour[i] : NULL, vertex->paint);
+		/* Without lighting it is all there is to see. */
+		vertex->sample = (struct accel_sample){ 0 };
+		memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
 		if (err) {
 			accel_device_message(pass->device,
 					     "vertex %u of the mesh is not finite", i);

@@ -35,7 +35,7 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 	vertex->sampled = 1u + (unsigned int)side;
 	if (pass->lit)
 		accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal,
-				      &vertex->sample);
+				      vertex->paint, &vertex->sample);
 }
 
 /* How far from @a and from @b, in space, the point is that is halfway on the screen. */
@@ -65,8 +65,10 @@ void accel_shading_middle(const struct accel_vertex *a, const struct accel_verte
 		middle->eye[i] = s * a->eye[i] + t * b->eye[i];
 		middle->normal[i] = s * a->normal[i] + t * b->normal[i];
 	}
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 4; i++) {
 		middle->sample.colour[i] = s * a->sample.colour[i] + t * b->sample.colour[i];
+		middle->paint[i] = s * a->paint[i] + t * b->paint[i];
+	}
 }
 
 static float dot(const float a[3], const float b[3])
@@ -306,8 +308,10 @@ static void centre(const struct accel_pass *pass, const struct accel_patch *patc
 			vertex->eye[j] += part * corner->eye[j];
 			vertex->normal[j] += part * corner->normal[j];
 		}
-		for (int j = 0; j < 4; j++)
+		for (int j = 0; j < 4; j++) {
 			vertex->sample.colour[j] += part * corner->sample.colour[j];
+			vertex->paint[j] += part * corner->paint[j];
+		}
 	}
 	accel_shading_vertex(pass, vertex, side);
 }

@@ -144,6 +144,11 @@ void accel_state_set_local_viewer(struct accel_state *state, bool enabled)
 	state->local_viewer = enabled;
 }
 
+void accel_state_set_colour_material(struct accel_state *state, bool enabled)
+{
+	state->colour_material = enabled;
+}
+
 static bool state_finite(const float *value, int count)
 {
 	int i;

@@ -12,7 +12,9 @@ static inline struct accel_vertex vertex_at(int x, int y)
 {
 	const int one = ACCEL_WINDOW_ONE >> ACCEL_SNAP_BITS;
 
-	return (struct accel_vertex){ .x = x * one, .y = y * one, .w = 1 };
+	return (struct accel_vertex){
+		.x = x * one, .y = y * one, .w = 1, .paint = { 1, 1, 1, 1 },
+	};
 }
 
 static inline float test_unit(uint64_t *seed)

@@ -5,6 +5,8 @@
 
 #define RANDOM_SAMPLES 20000
 
+static const float white[4] = { 1, 1, 1, 1 };
+
 static double dot(const double a[3], const double b[3])
 {
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -173,8 +175,8 @@ static void lights_are_as_the_specification_says(void **unused)
 		}
 		if (at_a_step(state, wide_eye, wide_normal))
 			continue;
-		accel_lighting_init(&lighting, state);
-		accel_lighting_sample(&lighting, side, eye, normal, &sample);
+		accel_lighting_init(&lighting, state, false);
+		accel_lighting_sample(&lighting, side, eye, normal, white, &sample);
 		reference_sample(state, side, wide_eye, wide_normal, colour);
 		for (int i = 0; i < 3; i++) {
 			double wanted = fmin(colour[i], (double)ACCEL_COLOUR_MAX);
@@ -221,14 +223,14 @@ static void what_is_not_a_number_is_black(void **unused)
 	/* The way to the light is too long for a float. */
 	state->light[0].position[0] = 3e38f;
 	state->light[0].position[3] = 1;
-	accel_lighting_init(&lighting, state);
+	accel_lighting_init(&lighting, state, false);
 	accel_lighting_sample(&lighting, 0, (const float[3]){ -3e38f, 1, 1 },
-			      (const float[3]){ 1, 1, 1 }, &sample);
+			      (const float[3]){ 1, 1, 1 }, white, &sample);
 	for (int i = 0; i < 3; i++)
 		assert_true(sample.colour[i] >= 0 && sample.colour[i] <= ACCEL_COLOUR_MAX);
 	/* A normal without length, at the light itself. */
 	accel_lighting_sample(&lighting, 0, state->light[0].position, (const float[3]){ 0, 0, 0 },
-			      &sample);
+			      white, &sample);
 	for (int i = 0; i < 3; i++)
 		assert_true(sample.colour[i] >= 0 && sample.colour[i] <= ACCEL_COLOUR_MAX);
 	accel_state_free(state);
@@ -245,9 +247,9 @@ static void sums_are_kept_above_one_but_not_above_what_surfaces_hold(void **unus
 	state->material[0].emission[0] = 0.9f;
 	state->material[0].emission[1] = 900;
 	state->material[0].emission[2] = -900;
-	accel_lighting_init(&lighting, state);
+	accel_lighting_init(&lighting, state, false);
 	accel_lighting_sample(&lighting, 0, (const float[3]){ 0, 0, -1 },
-			      (const float[3]){ 0.3f, 0.4f, 0.866f }, &sample);
+			      (const float[3]){ 0.3f, 0.4f, 0.866f }, white, &sample);
 	assert_true(sample.colour[0] > 1.5f && sample.colour[0] < ACCEL_COLOUR_MAX);
 	assert_true(sample.colour[1] == ACCEL_COLOUR_MAX);
 	assert_true(sample.colour[2] == 0);

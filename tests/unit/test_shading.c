@@ -12,7 +12,7 @@ struct fixture {
 static void fixture_light(struct fixture *f)
 {
 	f->pass.lit = f->state->lighting;
-	accel_lighting_init(&f->pass.lighting, f->state);
+	accel_lighting_init(&f->pass.lighting, f->state, false);
 }
 
 static int setup(void **state)
