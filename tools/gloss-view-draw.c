@@ -9,6 +9,9 @@
 #include "device.h"
 #include "gloss-view.h"
 
+/* Light from everywhere on what has colours; materials have a reflectance of their own for it. */
+#define PAINTED_AMBIENT 0.2f
+
 static int failed(const char *what, const char *where, int error)
 {
 	view_error(what, where, device_reason(error));
@@ -75,6 +78,10 @@ static void open_scene(struct view *view)
 	scene->mesh = mesh_lend(&view->mesh);
 	view_set_sides(view, options->two_sided);
 	scene->material[0] = scene->material[1] = options->material;
+	scene->painted = view->mesh.colour && !options->recoloured;
+	/* Colours are what the light that comes from everywhere is reflected by, too. */
+	for (int i = 0; i < 3 && scene->painted; i++)
+		scene->ambient[i] = PAINTED_AMBIENT;
 	memcpy(scene->background, options->background, sizeof(scene->background));
 	view_camera_frame(view);
 	view_camera_set(view, 0);

@@ -61,16 +61,19 @@ static bool set_material(struct view_options *options, const char *value)
 
 	if (material)
 		options->material = *material;
+	options->recoloured = true;
 	return material != NULL;
 }
 
 static bool set_ambient(struct view_options *options, const char *value)
 {
+	options->recoloured = true;
 	return view_colour(value, options->material.ambient);
 }
 
 static bool set_diffuse(struct view_options *options, const char *value)
 {
+	options->recoloured = true;
 	return view_colour(value, options->material.diffuse);
 }
 
@@ -228,7 +231,7 @@ static const struct view_option {
 	  "give WIDTHxHEIGHT, each 1 to 16384", set_size },
 	{ "shading", "NAME", "gouraud, adaptive (the default), quadratic, flat",
 	  "give gouraud, adaptive, quadratic or flat", set_shading },
-	{ "material", "NAME", "a material of the list below", "see the list of gloss-view --help",
+	{ "material", "NAME", "a material of the list below, instead of the mesh's own colours", "see the list of gloss-view --help",
 	  set_material },
 	{ "ambient", "COLOUR", "ambient reflectance, instead of the material's", COLOUR_HINT,
 	  set_ambient },
@@ -287,7 +290,8 @@ static bool show_help(struct view_options *options, const char *value)
 		printf("  %-20s %s\n", name, list[i].help);
 	}
 	printf("\nA COLOUR is #rrggbb, R,G,B or one number for grey, 0 to 1.\n"
-	       "Materials: %s.\nWithout --material it is " DEFAULT_MATERIAL ".\n\n"
+	       "Materials: %s.\nWithout --material it is " DEFAULT_MATERIAL ", or the\n"
+	       "colours of the mesh if it has any.\n\n"
 	       "A LIGHT is direction:X,Y,Z or point:X,Y,Z or spot:X,Y,Z. X is to the right, Y up,\n"
 	       "Z towards the eye, from the middle of the mesh, whose radius is 1. Settings may\n"
 	       "follow: :colour=COLOUR :ambient=COLOUR, for a point or spot :attenuation=C,L,Q,\n"
@@ -312,6 +316,7 @@ static void set_defaults(struct view_options *options)
 	options->camera[1] = 20;
 	options->reading.crease = MESH_CREASE;
 	set_material(options, DEFAULT_MATERIAL);
+	options->recoloured = false;
 	view_colour("#1c2430", options->background);
 }
 

@@ -21,6 +21,7 @@ struct view_options {
 	int width, height;
 	enum accel_shading shading;
 	struct accel_material material;
+	bool recoloured;		/* the mesh's own colours are not wanted */
 	struct accel_light light[ACCEL_LIGHTS];	/* positions from the middle of the mesh */
 	int lights;
 	struct mesh_options reading;

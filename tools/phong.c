@@ -31,15 +31,17 @@ void phong_frame_free(struct phong_frame *frame)
 	memset(frame, 0, sizeof(*frame));
 }
 
+static float clamp(float value)
+{
+	return value < 0 ? 0 : value > 1 ? 1 : value;
+}
+
 static uint32_t pack(const float rgba[4])
 {
 	uint32_t word = 0;
 
-	for (int i = 0; i < 4; i++) {
-		float value = rgba[i] < 0 ? 0 : rgba[i] > 1 ? 1 : rgba[i];
-
-		word |= (uint32_t)(value * 255 + 0.5f) << 8 * i;
-	}
+	for (int i = 0; i < 4; i++)
+		word |= (uint32_t)(clamp(rgba[i]) * 255 + 0.5f) << 8 * i;
 	return word;
 }
 
@@ -114,6 +116,8 @@ static struct phong_vertex *transform(const struct scene *scene, const struct ph
 		for (int row = 0; row < 4; row++)
 			v->clip[row] = m[row] * (double)p[0] + m[4 + row] * (double)p[1] +
 				       m[8 + row] * (double)p[2] + m[12 + row];
+		for (int j = 0; j < 3 && phong_painted(scene); j++)
+			v->paint[j] = clamp(mesh->colour[i][j]);
 		if (mesh->normal)
 			transform_normal(v->normal, normal_matrix, mesh->normal[i]);
 		if (between_planes(v))
@@ -130,6 +134,7 @@ static struct phong_vertex between(const struct phong_vertex *a, const struct ph
 	for (int i = 0; i < 3; i++) {
 		v.eye[i] = a->eye[i] + (float)t * (b->eye[i] - a->eye[i]);
 		v.normal[i] = a->normal[i] + (float)t * (b->normal[i] - a->normal[i]);
+		v.paint[i] = a->paint[i] + (float)t * (b->paint[i] - a->paint[i]);
 	}
 	for (int i = 0; i < 4; i++)
 		v.clip[i] = a->clip[i] + t * (b->clip[i] - a->clip[i]);

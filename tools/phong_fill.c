@@ -17,6 +17,11 @@ struct triangle {
 	float flip;			/* factor of the normal */
 };
 
+/* A point of the surface. */
+struct phong_point {
+	float eye[3], normal[3], paint[3];
+};
+
 /* An edge function, positive to the right of the edge. */
 struct edge {
 	int64_t value, dx, dy;		/* at a pixel centre, less @bias; from pixel to pixel */
@@ -49,8 +54,11 @@ static void product(float out[3], const float a[4], const float b[4])
 		out[i] = a[i] * b[i];
 }
 
+static const float white[4] = { 1, 1, 1, 1 };
+
 static struct phong_lamp prepare_lamp(const struct scene *scene, const struct accel_light *light)
 {
+	bool painted = phong_painted(scene);
 	struct phong_lamp lamp = {
 		.positional = light->position[3] != 0,
 		.spot = light->spot_cutoff <= 90,
@@ -72,9 +80,11 @@ static struct phong_lamp prepare_lamp(const struct scene *scene, const struct ac
 	normalise(lamp.half);
 	normalise(lamp.spot_direction);
 	for (int side = 0; side < 2; side++) {
-		product(lamp.ambient[side], light->ambient, scene->material[side].ambient);
-		product(lamp.diffuse[side], light->diffuse, scene->material[side].diffuse);
-		product(lamp.specular[side], light->specular, scene->material[side].specular);
+		const struct accel_material *material = &scene->material[side];
+
+		product(lamp.ambient[side], light->ambient, painted ? white : material->ambient);
+		product(lamp.diffuse[side], light->diffuse, painted ? white : material->diffuse);
+		product(lamp.specular[side], light->specular, material->specular);
 	}
 	return lamp;
 }
@@ -90,11 +100,11 @@ void phong_fill_init(struct phong_fill *fill, const struct scene *scene,
 			fill->lamp[fill->lamps++] = prepare_lamp(scene, &scene->light[i]);
 	for (int side = 0; side < 2; side++) {
 		const struct accel_material *material = &scene->material[side];
-		float alpha = clamp(material->diffuse[3], 0, 1);
+		float alpha = phong_painted(scene) ? 1 : clamp(material->diffuse[3], 0, 1);
 
-		product(fill->base[side], scene->ambient, material->ambient);
-		for (int i = 0; i < 3; i++)
-			fill->base[side][i] += material->emission[i];
+		product(fill->base[side], scene->ambient,
+			phong_painted(scene) ? white : material->ambient);
+		memcpy(fill->emission[side], material->emission, sizeof(fill->emission[side]));
 		fill->alpha[side] = (uint32_t)(alpha * 255 + 0.5f) << 24;
 	}
 }
@@ -123,9 +133,9 @@ static float reach(const struct phong_lamp *lamp, const float eye[3], float to[3
 }
 
 static void add_lamp(const struct phong_fill *fill, const struct phong_lamp *lamp, int side,
-		     const float eye[3], const float normal[3], const float viewer[3],
-		     float light[3])
+		     const struct phong_point *point, const float viewer[3], float light[3])
 {
+	const float *eye = point->eye, *normal = point->normal, *paint = point->paint;
 	float to[3], half[3], cosine, highlight;
 	bool same_half = !lamp->positional && !fill->scene->local_viewer;
 	float factor = reach(lamp, eye, to);
@@ -133,7 +143,7 @@ static void add_lamp(const struct phong_fill *fill, const struct phong_lamp *lam
 	if (factor == 0)
 		return;
 	for (int i = 0; i < 3; i++)
-		light[i] += factor * lamp->ambient[side][i];
+		light[i] += factor * lamp->ambient[side][i] * paint[i];
 	cosine = dot(normal, to);
 	if (cosine <= 0)
 		return;
@@ -146,23 +156,25 @@ static void add_lamp(const struct phong_fill *fill, const struct phong_lamp *lam
 				  fill->scene->material[side].shininess);
 	cosine *= factor;
 	for (int i = 0; i < 3; i++)
-		light[i] += cosine * lamp->diffuse[side][i] + highlight * lamp->specular[side][i];
+		light[i] += cosine * lamp->diffuse[side][i] * paint[i] +
+			    highlight * lamp->specular[side][i];
 }
 
-static void shade(const struct phong_fill *fill, int side, const float eye[3], float normal[3],
+static void shade(const struct phong_fill *fill, int side, struct phong_point *point,
 		  float light[3])
 {
 	float viewer[3] = { 0, 0, 1 };
 
-	normalise(normal);
+	normalise(point->normal);
 	if (fill->scene->local_viewer) {
 		for (int i = 0; i < 3; i++)
-			viewer[i] = -eye[i];
+			viewer[i] = -point->eye[i];
 		normalise(viewer);
 	}
-	memcpy(light, fill->base[side], sizeof(fill->base[side]));
+	for (int i = 0; i < 3; i++)
+		light[i] = fill->base[side][i] * point->paint[i] + fill->emission[side][i];
 	for (int i = 0; i < fill->lamps; i++)
-		add_lamp(fill, &fill->lamp[i], side, eye, normal, viewer, light);
+		add_lamp(fill, &fill->lamp[i], side, point, viewer, light);
 }
 
 static uint32_t pack(const float light[3], uint32_t alpha)
@@ -181,17 +193,22 @@ static void draw_pixel(const struct phong_fill *fill, const struct triangle *t, 
 	const struct phong_vertex *v0 = t->vertex[0], *v1 = t->vertex[1], *v2 = t->vertex[2];
 	float w1 = b1 * v1->inverse_w, w2 = b2 * v2->inverse_w;
 	float w = 1 / ((1 - b1 - b2) * v0->inverse_w + w1 + w2);
-	float eye[3], normal[3], light[3];
+	bool painted = phong_painted(fill->scene);
+	struct phong_point point;
+	float light[3];
 
 	w1 *= w;
 	w2 *= w;
 	for (int i = 0; i < 3; i++) {
-		eye[i] = v0->eye[i] + w1 * (v1->eye[i] - v0->eye[i]) +
+		point.eye[i] = v0->eye[i] + w1 * (v1->eye[i] - v0->eye[i]) +
 			 w2 * (v2->eye[i] - v0->eye[i]);
-		normal[i] = t->flip * (v0->normal[i] + w1 * (v1->normal[i] - v0->normal[i]) +
-				       w2 * (v2->normal[i] - v0->normal[i]));
+		point.normal[i] = t->flip * (v0->normal[i] + w1 * (v1->normal[i] - v0->normal[i]) +
+					     w2 * (v2->normal[i] - v0->normal[i]));
+		point.paint[i] = !painted ? 1 :
+				 v0->paint[i] + w1 * (v1->paint[i] - v0->paint[i]) +
+				 w2 * (v2->paint[i] - v0->paint[i]);
 	}
-	shade(fill, t->side, eye, normal, light);
+	shade(fill, t->side, &point, light);
 	fill->frame->pixel[pixel] = pack(light, fill->alpha[t->side]);
 	if (fill->frame->light)
 		memcpy(fill->frame->light[pixel], light, sizeof(light));

@@ -6,6 +6,7 @@
 
 struct phong_vertex {
 	float eye[3], normal[3];
+	float paint[3];			/* reflectance, where the mesh's colours are that */
 	double clip[4];			/* as exact as the library's: both snap to one point */
 	/* From phong_fill_project: */
 	int64_t x, y;			/* window, 1/16 pixel */
@@ -25,11 +26,17 @@ struct phong_lamp {
 struct phong_fill {
 	const struct scene *scene;
 	struct phong_frame *frame;
-	float base[2][3];		/* emission and global ambient, front and back */
+	float base[2][3];		/* global ambient, front and back */
+	float emission[2][3];
 	uint32_t alpha[2];		/* in bits 31:24 */
 	int lamps;
 	struct phong_lamp lamp[ACCEL_LIGHTS];
 };
+
+static inline bool phong_painted(const struct scene *scene)
+{
+	return scene->painted && scene->mesh.colour;
+}
 
 void phong_fill_init(struct phong_fill *fill, const struct scene *scene,
 		     struct phong_frame *frame);

@@ -83,6 +83,7 @@ int scene_apply(const struct scene *scene, struct accel_state *state)
 	accel_state_set_lighting(state, true);
 	accel_state_set_two_sided(state, scene->two_sided);
 	accel_state_set_local_viewer(state, scene->local_viewer);
+	accel_state_set_colour_material(state, scene->painted);
 	ret = accel_state_set_ambient(state, scene->ambient);
 	if (!ret)
 		ret = accel_state_set_material(state, &scene->material[0], &scene->material[1]);

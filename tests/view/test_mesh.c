@@ -131,6 +131,40 @@ static void a_mirrored_node_keeps_its_outside(void **state)
 	mesh_free(&mesh);
 }
 
+/* Linear light in the file, what a picture has in the mesh. */
+static void base_colours_of_gltf_are_those_of_the_mesh(void **state)
+{
+	struct mesh mesh;
+
+	(void)state;
+	load_text(".gltf",
+		  "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+		  "\"nodes\":[{\"mesh\":0}],\"materials\":[{\"pbrMetallicRoughness\":"
+		  "{\"baseColorFactor\":[0.5,0,1,1]}}],"
+		  "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],"
+		  "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
+		  "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
+		  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+		  "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
+		  "\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}", &mesh);
+	assert_non_null(mesh.colour);
+	for (uint32_t i = 0; i < mesh.vertices; i++) {
+		assert_true(fabsf(mesh.colour[i][0] - 0.7354f) < 1e-3f);
+		assert_true(mesh.colour[i][1] == 0 && mesh.colour[i][2] > 0.9999f);
+	}
+	mesh_free(&mesh);
+}
+
+static void a_mesh_without_colours_has_none(void **state)
+{
+	struct mesh mesh;
+
+	(void)state;
+	load_text(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", &mesh);
+	assert_null(mesh.colour);
+	mesh_free(&mesh);
+}
+
 static void a_message_is_one_line_of_three_parts(void **state)
 {
 	char message[MESH_MESSAGE], name[2 * MESH_MESSAGE];
@@ -155,6 +189,8 @@ int main(void)
 		cmocka_unit_test(good_normals_are_kept_beside_bad_ones),
 		cmocka_unit_test(normals_of_stl_are_never_believed),
 		cmocka_unit_test(a_mirrored_node_keeps_its_outside),
+		cmocka_unit_test(base_colours_of_gltf_are_those_of_the_mesh),
+		cmocka_unit_test(a_mesh_without_colours_has_none),
 		cmocka_unit_test(a_message_is_one_line_of_three_parts),
 	};
 

@@ -11,7 +11,7 @@ view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 
 # A test of the viewer's insides includes the file it is about.
 VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_shape test_phong \
-	test_picture test_view_camera test_view_draw test_view_window
+	test_phong_cover test_picture test_view_camera test_view_draw test_view_window
 
 $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(SCENE_OBJS) \
 		$(BUILD)/libaccel.a
