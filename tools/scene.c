@@ -77,7 +77,6 @@ int scene_apply(const struct scene *scene, struct accel_state *state)
 
 	accel_state_set_modelview(state, scene->modelview);
 	accel_state_set_projection(state, scene->projection);
-	accel_state_set_viewport(state, -scene->left, -scene->top, scene->width, scene->height);
 	accel_state_set_cull(state, scene->cull);
 	accel_state_set_depth(state, ACCEL_COMPARE_LESS, true);
 	accel_state_set_lighting(state, true);
@@ -104,6 +103,7 @@ int scene_draw(const struct scene *scene, enum accel_shading shading, struct acc
 		return ret;
 	ret = scene_apply(scene, state);
 	accel_state_set_shading(state, shading);
+	accel_state_set_viewport(state, -scene->left, -scene->top, scene->width, scene->height);
 	if (!ret)
 		ret = accel_draw_clear(draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
 				       scene->background, 1);

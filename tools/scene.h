@@ -28,7 +28,7 @@ struct accel_light scene_light_point(float x, float y, float z);
 struct accel_material scene_material_grey(float ambient, float diffuse, float specular,
 					  float shininess);
 
-/* Sets everything of @state but the shading, with depth test. -EINVAL: a value out of range. */
+/* Sets everything of @state but the shading and the viewport, with depth test. -EINVAL: a value out of range. */
 int scene_apply(const struct scene *scene, struct accel_state *state);
 
 /*
