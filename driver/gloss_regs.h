@@ -186,6 +186,8 @@
 
 /* What a usb_sync has to have; 0 matches none. */
 #define GLOSS_REG_NONCE 0x080
+/* The driver's number for this start of the board: 0 after power on, and kept by a reset. */
+#define GLOSS_REG_BOOT 0x084
 
 /* Structs: indices of words, masks of narrow fields. */
 

@@ -154,6 +154,7 @@
   localparam logic [15:0] REG_DMA_ERROR_LOW = 16'h004c;
   localparam logic [15:0] REG_DMA_ERROR_HIGH = 16'h0050;
   localparam logic [15:0] REG_NONCE = 16'h0080;
+  localparam logic [15:0] REG_BOOT = 16'h0084;
 
   // Packed structs: the lowest word of a group or payload is bits 31:0.
   // A _RESERVED mask has the bits that must be zero.

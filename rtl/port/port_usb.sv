@@ -82,7 +82,7 @@ module port_usb #(
   // registers
   logic reg_write, idle, running, lost, lost_event, done, fault;
   logic [15:0] reg_address;
-  logic [31:0] nonce_q, sequence_now;
+  logic [31:0] nonce_q, boot_q, own, sequence_now;
   logic [2:0] stream_taken;
   logic [3:0] response_taken;
 
@@ -112,13 +112,27 @@ module port_usb #(
     .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
     .memory_pages_i,
     .write_o(reg_write), .address_o(reg_address),
-    .own_i(reg_address == gloss_pkg::REG_NONCE ? nonce_q : '0),
+    .own_i(own),
     .reset_o(reset), .resetting_i(resetting), .enable_i(1'b0),
     .running_i(running), .idle_i(idle), .dma_error_i(1'b0), .lost_i(lost),
     .done_i(done), .status_i, .sequence_i(sequence_now), .time_i, .fault_o(fault),
     .stream_taken_i(stream_taken), .response_taken_i(response_taken),
     .dma_event_i(1'b0), .dma_sequence_i('0)
   );
+
+  always_comb begin
+    unique case (reg_address)
+      gloss_pkg::REG_NONCE: own = nonce_q;
+      gloss_pkg::REG_BOOT:  own = boot_q;
+      default:              own = '0;
+    endcase
+  end
+
+  // Not reset by CONTROL.reset.
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) boot_q <= '0;
+    else if (reg_write && reg_address == gloss_pkg::REG_BOOT) boot_q <= reg_wdata_i;
+  end
 
   always_ff @(posedge clk_i or negedge core_rst_n) begin
     if (!core_rst_n) nonce_q <= '0;

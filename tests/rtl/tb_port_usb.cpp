@@ -26,7 +26,7 @@ static void registers_are_as_the_manual_says(UsbBench &bench)
 		{ GLOSS_REG_JOBS, 0, 0 },
 		{ GLOSS_REG_STALL_RESPONSE, 0, 0 },
 		{ GLOSS_REG_NONCE, ~0u, 0 },
-		{ 0x084, 0, 0 },
+		{ 0x088, 0, 0 },
 		{ 0x100 + GLOSS_REG_NONCE, 0, 0 },
 		{ 0xfffc, 0, 0 },
 	};
@@ -50,6 +50,25 @@ static void registers_are_as_the_manual_says(UsbBench &bench)
 		TB_CHECK(bench.read(GLOSS_REG_CONTROL) == 0, "CONTROL.enable is kept");
 		bench.reset_port();
 	}
+}
+
+/* Resets before and within jobs, and as many as there are. */
+static void boot_outlasts_a_reset(UsbBench &bench)
+{
+	const uint32_t boot = bench.random.bits() | 1;
+
+	bench.reset_port();
+	TB_CHECK(bench.read(GLOSS_REG_BOOT) == 0, "BOOT is not 0 after power on");
+	bench.write(GLOSS_REG_BOOT, boot);
+	for (int n = 0; n < 20; n++) {
+		bench.start();
+		bench.send(bench.job(bench.random.between(1, 500), bench.random.between(0, 500)));
+		bench.clock(bench.random.between(0, 2000));
+		bench.reset_port();
+		TB_CHECK(bench.read(GLOSS_REG_BOOT) == boot, "BOOT reads %08x, not %08x",
+			 bench.read(GLOSS_REG_BOOT), boot);
+	}
+	bench.write(GLOSS_REG_BOOT, 0);
 }
 
 /* ---- synchronisation ---- */
@@ -294,6 +313,7 @@ int main(int argc, char **argv)
 	int rounds = argc > 1 ? atoi(argv[1]) : 20;
 
 	registers_are_as_the_manual_says(bench);
+	boot_outlasts_a_reset(bench);
 	a_sync_is_found_in_any_words(bench, 10 * rounds);
 	a_reset_forgets_half_a_sync(bench);
 	jobs_of_all_lengths_with_all_stalls(bench, rounds);

@@ -13,12 +13,14 @@ static void registers_are_zero_after_power_on(void **state)
 	assert_false(usb_host_step(host));
 }
 
-static void registers_but_nonce_ignore_writes(void **state)
+static void registers_but_nonce_and_boot_ignore_writes(void **state)
 {
 	struct usb_host *host = *state;
 
 	for (uint32_t offset = 0; offset < 0x10000; offset += 4)
 		usb_host_write(host, offset, offset == R(CONTROL) ? ~R(CONTROL_RESET) : ~0u);
+	assert_int_equal(usb_host_read(host, R(BOOT)), ~0u);
+	usb_host_write(host, R(BOOT), 0);
 	assert_reset(host, ~0u);
 }
 
@@ -538,7 +540,7 @@ int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		TEST(registers_are_zero_after_power_on),
-		TEST(registers_but_nonce_ignore_writes),
+		TEST(registers_but_nonce_and_boot_ignore_writes),
 		TEST(control_without_reset_does_nothing),
 		TEST(sync_comes_back_and_ends_a_burst),
 		TEST(sync_that_is_not_right_is_dropped),

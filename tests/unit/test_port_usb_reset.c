@@ -96,6 +96,22 @@ static void power_on_is_a_reset(void **state)
 	assert_reset(host, 0);
 }
 
+static void a_reset_keeps_boot_and_power_on_does_not(void **state)
+{
+	struct usb_host *host = *state;
+
+	assert_int_equal(usb_host_read(host, R(BOOT)), 0);
+	usb_host_write(host, R(BOOT), 0xfeedface);
+	for (int n = 0; n < 3; n++) {
+		start(host);
+		add_job(host, 10, 0, 1);
+		run(host);
+		assert_int_equal(usb_host_read(host, R(BOOT)), 0xfeedface);
+	}
+	host->ops->reset(host->board);
+	assert_reset(host, 0);
+}
+
 /* ---- loss of the channel ---- */
 
 static void assert_lost(struct usb_host *host, uint32_t word)
@@ -223,6 +239,7 @@ int main(void)
 		TEST(reset_at_any_time_drops_all_there_is),
 		TEST(reset_drops_what_nobody_took),
 		TEST(power_on_is_a_reset),
+		TEST(a_reset_keeps_boot_and_power_on_does_not),
 		TEST(word_that_begins_no_job_loses_the_channel),
 		TEST(job_with_a_wrong_checksum_is_not_answered),
 		TEST(checksum_is_of_every_bit_of_a_job),

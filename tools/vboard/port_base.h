@@ -46,7 +46,7 @@ struct port_build {
 	uint32_t tile_size, pixels_per_clock, memory_pages;
 };
 
-#define PORT_REGISTERS 33		/* words that there are registers in */
+#define PORT_REGISTERS 34		/* words that there are registers in */
 
 struct port_base {
 	struct port_engine engine;

@@ -369,23 +369,34 @@ uint32_t port_usb_read(const struct port_usb *port, uint32_t offset)
 	return port_base_read(&port->base, offset, port_status(port));
 }
 
-void port_usb_write(struct port_usb *port, uint32_t offset, uint32_t value)
+static void port_reset(struct port_usb *port)
 {
-	if (offset == GLOSS_REG_CONTROL && (value & GLOSS_REG_CONTROL_RESET))
-		port_usb_reset(port);
-	if (offset == GLOSS_REG_NONCE)
-		REG(port, NONCE) = value;
-}
+	uint32_t boot = REG(port, BOOT);
 
-void port_usb_reset(struct port_usb *port)
-{
 	port_base_reset(&port->base, 0);
+	REG(port, BOOT) = boot;
 	port->state = PORT_USB_UNSYNCHRONISED;
 	port->out.count = 0;
 	port->in.count = 0;
 	memset(port->burst_end, 0, sizeof(port->burst_end));
 	memset(port->head, 0, sizeof(port->head));
 	port->events = 0;
+}
+
+void port_usb_write(struct port_usb *port, uint32_t offset, uint32_t value)
+{
+	if (offset == GLOSS_REG_CONTROL && (value & GLOSS_REG_CONTROL_RESET))
+		port_reset(port);
+	if (offset == GLOSS_REG_NONCE)
+		REG(port, NONCE) = value;
+	if (offset == GLOSS_REG_BOOT)
+		REG(port, BOOT) = value;
+}
+
+void port_usb_reset(struct port_usb *port)
+{
+	REG(port, BOOT) = 0;
+	port_reset(port);
 }
 
 void port_usb_init(struct port_usb *port, const struct port_engine *engine,

@@ -53,7 +53,7 @@ struct port_usb {
 void port_usb_init(struct port_usb *port, const struct port_engine *engine,
 		   const struct port_build *build);
 
-/* As those of struct gloss_usb_board_ops. */
+/* As those of struct gloss_usb_board_ops: port_usb_reset is power on, too. */
 uint32_t port_usb_read(const struct port_usb *port, uint32_t offset);
 void port_usb_write(struct port_usb *port, uint32_t offset, uint32_t value);
 uint32_t port_usb_out(struct port_usb *port, const uint32_t *words, uint32_t count);
