@@ -42,6 +42,8 @@ uint32_t fake_below(uint32_t limit)
 int fake_call(const char *function)
 {
 	fake_usb.calls++;
+	if (fake.fail_always && !strcmp(fake.fail_function, function))
+		return fake.fail_error;
 	if (!fake.fail_at || (fake.fail_function && strcmp(fake.fail_function, function) != 0) ||
 	    --fake.fail_at)
 		return 0;
@@ -80,6 +82,8 @@ static void state_start(uint64_t seed)
 	fake.seed = seed;
 	fake.held = fake.leap_always = fake.hurry = false;
 	fake.fail_at = 0;
+	fake.fail_always = false;
+	fake.bytes_in_flight = 0;
 	fake_list_init(&fake.ended);
 	pthread_cond_init(&fake.changed, NULL);
 }
@@ -121,7 +125,7 @@ void fake_usb_stop(void)
 const char *fake_usb_fault_name(enum fake_usb_fault fault)
 {
 	static const char *const name[FAKE_USB_FAULTS] = {
-		"no fault", "unplug", "kill", "glitch", "stall OUT", "stall IN", "stall event",
+		"no fault", "unplug", "kill", "glitch", "bus reset", "stall OUT", "stall IN", "stall event",
 		"error OUT", "error IN", "overflow IN", "lose OUT", "lose IN", "repeat IN",
 		"short IN", "empty IN", "odd IN", "garbage IN", "garbage OUT", "garbage event",
 		"hang IN", "hang OUT", "refuse control", "hang control", "reset lasts", "delay",
@@ -149,6 +153,7 @@ void fake_usb_disarm(void)
 {
 	pthread_mutex_lock(&fake.lock);
 	fake.fail_at = 0;
+	fake.fail_always = false;
 	for (struct fake_bridge *b = fake.bridge; b < fake.bridge + FAKE_USB_BOARDS; b++) {
 		memset(b->at, 0, sizeof(b->at));
 		memset(b->value, 0, sizeof(b->value));
@@ -177,6 +182,16 @@ void fake_usb_fail(const char *function, unsigned int at, int error)
 	fake.fail_function = function;
 	fake.fail_at = at;
 	fake.fail_error = error;
+	pthread_mutex_unlock(&fake.lock);
+}
+
+void fake_usb_fail_always(const char *function, int error)
+{
+	pthread_mutex_lock(&fake.lock);
+	fake.fail_function = function;
+	fake.fail_always = true;
+	fake.fail_error = error;
+	fake.hurry = true;
 	pthread_mutex_unlock(&fake.lock);
 }
 

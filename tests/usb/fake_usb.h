@@ -33,6 +33,7 @@ struct fake_usb_board {
 	const struct gloss_usb_board_ops *ops;	/* used when it is first plugged in */
 	bool present;
 	bool foreign;			/* another program has claimed interface 0 */
+	bool kernel_driver;		/* a driver of the kernel has it */
 	int open_error;			/* of libusb_open; 0: it opens */
 	enum libusb_speed speed;
 	uint16_t vendor, product;
@@ -53,7 +54,11 @@ enum fake_usb_fault {
 	FAKE_USB_UNPLUG,		/* at the at-th packet of any endpoint, control too; @value
 					 * 1: and plugged in at once, 2: with power lost */
 	FAKE_USB_KILL,			/* so, but for the host: its board stays as it is */
-	FAKE_USB_GLITCH,		/* so, but the board is in its power-on state again */
+	FAKE_USB_GLITCH,		/* so, but the board is in its power-on state again, and
+					 * its memory as it comes */
+	FAKE_USB_BUS_RESET,		/* so, but another program resets the device: what is in
+					 * flight ends, and the claim is lost, which only the
+					 * kernel knows */
 	FAKE_USB_STALL_OUT,		/* the at-th transfer; the endpoint is halted */
 	FAKE_USB_STALL_IN,
 	FAKE_USB_STALL_EVENT,
@@ -87,6 +92,8 @@ struct fake_usb {
 	unsigned int submits, callbacks;
 	unsigned int depth_out, depth_in;	/* most transfers in flight at once */
 	unsigned int resets;		/* CONTROL.reset written */
+	unsigned int implicit_claims;	/* that the kernel made, with a warning in its log */
+	size_t memory_limit;		/* the kernel's for transfers in flight, bytes; 0: none */
 	unsigned int fired;		/* faults that have come, those of calls too */
 	uint64_t out_words, in_words;
 
@@ -115,6 +122,9 @@ const char *fake_usb_fault_name(enum fake_usb_fault fault);
  * @function NULL: of any that can fail. libusb_alloc_transfer and a list then give nothing.
  */
 void fake_usb_fail(const char *function, unsigned int at, int error);
+
+/* Each call of @function answers @error from now on, until that is disarmed. */
+void fake_usb_fail_always(const char *function, int error);
 
 /* The cable, at once. Board memory and the state of the port stay, or with @power do not. */
 void fake_usb_unplug(unsigned int board);

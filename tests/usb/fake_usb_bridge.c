@@ -36,8 +36,15 @@ bool fake_bridge_packet(struct fake_bridge *bridge)
 {
 	if (fake_bridge_fault(bridge, FAKE_USB_GLITCH)) {
 		bridge->ops->reset(bridge->board);
+		memset(fake_usb_memory(number(bridge)), (int)fake_below(256), FAKE_USB_BOARD_BYTES);
 		if (fake_below(2))
 			bridge_empty(bridge);
+	}
+	if (fake_bridge_fault(bridge, FAKE_USB_BUS_RESET)) {
+		fake_handle_lose_claims(number(bridge));
+		fake_transfer_end_all(bridge, NULL, fake_below(2) ? LIBUSB_TRANSFER_CANCELLED :
+								    LIBUSB_TRANSFER_ERROR);
+		return false;
 	}
 	if (fake_bridge_fault(bridge, FAKE_USB_KILL)) {
 		fake_device_kill();

@@ -51,11 +51,11 @@ int libusb_open(libusb_device *device, libusb_device_handle **out)
 /* A handle of @board that has claimed @interface. */
 static bool interface_taken(unsigned int board, int interface)
 {
-	if (interface == 0 && fake_usb.board[board].foreign)
+	if (interface == 0 && (fake_usb.board[board].foreign || fake_usb.board[board].kernel_driver))
 		return true;
 	for (struct libusb_device_handle *h = handles; h < handles + FAKE_HANDLES; h++)
-		if (h->used && h->claimed[interface] && h->device->board == board &&
-		    fake_handle_alive(h))
+		if (h->used && h->claimed[interface] && !h->lost[interface] &&
+		    h->device->board == board && fake_handle_alive(h))
 			return true;
 	return false;
 }
@@ -71,9 +71,43 @@ static void handle_release(struct libusb_device_handle *handle, int interface)
 		if (t->handle == handle && t->queue != FAKE_CONTROL)
 			fake_violation("an interface goes before a transfer's callback");
 	if (handle->claimed[interface]) {
-		handle->claimed[interface] = false;
+		handle->claimed[interface] = handle->lost[interface] = false;
 		fake_usb.claims--;
 	}
+}
+
+void fake_handle_use(struct libusb_device_handle *handle, unsigned int interface,
+		     const char *function)
+{
+	if (!handle->claimed[interface])
+		fake_violation("%s: interface %u is not claimed", function, interface);
+	if (!handle->lost[interface] || interface_taken(handle->device->board, (int)interface))
+		return;
+	handle->lost[interface] = false;
+	fake_usb.implicit_claims++;
+}
+
+void fake_handle_lose_claims(unsigned int board)
+{
+	for (struct libusb_device_handle *h = handles; h < handles + FAKE_HANDLES; h++)
+		for (int n = 0; n < FAKE_INTERFACES; n++)
+			if (h->used && h->device->board == board && h->claimed[n])
+				h->lost[n] = true;
+}
+
+int libusb_kernel_driver_active(libusb_device_handle *handle, int interface)
+{
+	int err;
+
+	pthread_mutex_lock(&fake.lock);
+	fake_handle_check(handle, __func__);
+	err = fake_call(__func__);
+	if (!err && !fake_handle_alive(handle))
+		err = LIBUSB_ERROR_NO_DEVICE;
+	if (!err)
+		err = interface == 0 && fake_device_board(handle->device)->kernel_driver;
+	pthread_mutex_unlock(&fake.lock);
+	return err;
 }
 
 void libusb_close(libusb_device_handle *handle)
@@ -174,8 +208,8 @@ int libusb_clear_halt(libusb_device_handle *handle, unsigned char endpoint)
 	bridge = fake_handle_bridge(handle);
 	if (!err && !fake_handle_alive(handle))
 		err = LIBUSB_ERROR_NO_DEVICE;
-	if (!err && !handle->claimed[0])
-		fake_violation("%s: interface 0 is not claimed", __func__);
+	if (!err)
+		fake_handle_use(handle, 0, __func__);
 	if (!err)
 		err = fake_bridge_request(bridge);
 	if (!err)

@@ -40,7 +40,8 @@ struct libusb_device {
 struct libusb_device_handle {
 	bool used;
 	struct libusb_device *device;
-	bool claimed[FAKE_INTERFACES];
+	bool claimed[FAKE_INTERFACES];	/* as libusb knows */
+	bool lost[FAKE_INTERFACES];	/* but the kernel does not */
 };
 
 enum fake_transfer_state {
@@ -100,11 +101,13 @@ struct fake_state {
 	uint64_t seed;
 	struct fake_bridge bridge[FAKE_USB_BOARDS];
 	struct fake_list ended;
+	size_t bytes_in_flight;
 	bool held;
 	bool leap_always, hurry;
 
 	const char *fail_function;	/* the fail_at-th call of it, 0: none */
 	unsigned int fail_at;
+	bool fail_always;
 	int fail_error;
 };
 
@@ -137,6 +140,11 @@ void fake_device_put(struct libusb_device *device);
 struct fake_bridge *fake_handle_bridge(const struct libusb_device_handle *handle);
 void fake_handle_check(const struct libusb_device_handle *handle, const char *function);
 bool fake_handle_alive(const struct libusb_device_handle *handle);
+/* The interface is used: a claim that was lost is made again, if nobody else has it now. */
+void fake_handle_use(struct libusb_device_handle *handle, unsigned int interface,
+		     const char *function);
+/* All that are open on @board lose what they have claimed. */
+void fake_handle_lose_claims(unsigned int board);
 /* Ends everything of those hosts that are there now. */
 void fake_device_kill(void);
 /* Hotplug callbacks that are due in @context; gives up the lock for each. */

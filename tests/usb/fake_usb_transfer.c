@@ -141,7 +141,7 @@ static enum fake_queue transfer_queue(const struct libusb_transfer *public, cons
 }
 
 /* Linux claims an interface for who forgot to, and says so in the kernel's log. */
-static void check_claim(const struct fake_transfer *transfer, const char *function)
+static void check_claim(struct fake_transfer *transfer, const char *function)
 {
 	const uint8_t *setup = transfer->public.buffer;
 	unsigned int interface = 0;
@@ -151,8 +151,15 @@ static void check_claim(const struct fake_transfer *transfer, const char *functi
 			return;
 		interface = setup[4];
 	}
-	if (interface < FAKE_INTERFACES && !transfer->handle->claimed[interface])
-		fake_violation("%s: interface %u is not claimed", function, interface);
+	if (interface < FAKE_INTERFACES)
+		fake_handle_use(transfer->handle, interface, function);
+}
+
+/* The kernel has a copy of each, and a bound for all of them. */
+static bool has_memory(const struct libusb_transfer *public)
+{
+	return !fake_usb.memory_limit ||
+	       fake.bytes_in_flight + (size_t)public->length <= fake_usb.memory_limit;
 }
 
 static void count_depth(const struct fake_list *list, unsigned int *most)
@@ -180,6 +187,12 @@ int fake_transfer_submit(struct libusb_transfer *public, const char *function)
 	transfer->queue = transfer_queue(public, function);
 	transfer->handle = public->dev_handle;
 	check_claim(transfer, function);
+	if (!has_memory(public)) {
+		fake_usb.fired++;
+		fake.hurry = true;
+		return LIBUSB_ERROR_NO_MEM;
+	}
+	fake.bytes_in_flight += (size_t)public->length;
 	public->actual_length = 0;
 	transfer->cancelled = transfer->lost = false;
 	transfer->deadline = public->timeout ? fake_usb_now_ns() + public->timeout * NS_PER_MS :
@@ -265,6 +278,7 @@ static void transfer_call(struct fake_transfer *transfer)
 
 	list_remove(&fake.ended, transfer);
 	transfer->state = FAKE_IDLE;
+	fake.bytes_in_flight -= (size_t)public->length;
 	fake_usb.in_flight--;
 	fake_usb.callbacks++;
 	if (flags & LIBUSB_TRANSFER_SHORT_NOT_OK)

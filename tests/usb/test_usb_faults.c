@@ -97,6 +97,7 @@ static uint32_t fault_bits(int kind)
 	case FAKE_USB_UNPLUG:
 	case FAKE_USB_KILL:
 	case FAKE_USB_GLITCH:
+	case FAKE_USB_BUS_RESET:
 	case FAKE_USB_HANG_OUT:
 		return 10;
 	case FAKE_USB_STALL_EVENT:
@@ -163,6 +164,7 @@ static bool fault_is_told(const struct fault *fault)
 	switch (fault->kind) {
 	case FAKE_USB_UNPLUG:
 	case FAKE_USB_KILL:
+	case FAKE_USB_BUS_RESET:
 	case FAKE_USB_STALL_OUT:
 	case FAKE_USB_STALL_IN:
 	case FAKE_USB_ERROR_OUT:
