@@ -107,13 +107,17 @@ int accel_device_list(accel_device_list_fn found, void *data);
  * that node.
  *
  * "usb:" is the first Gloss board on USB that opens, "usb:1209:0001/SERIAL" the one with
- * these ids and that serial number; "/SERIAL" may be left out, or the ids if they are
- * these. One program at a time has such a board. When the cable fails, jobs that were
- * submitted and had not ended fail with -EIO, the board starts again, and the next job is
- * as ever. Buffers hold what they held, but for what those jobs were to write; if words
- * of a job were garbled, which USB itself hardly ever lets happen, any buffer may be spoilt.
- * When the board is unplugged all jobs fail with -ENODEV, for good: plugged in again it is
- * another device to be opened.
+ * these ids and that serial number (of several with the same the first that opens); "/SERIAL"
+ * may be left out, or the ids if they are these. "usb:1-2.3" is the board at bus 1, port 3 of
+ * the hub at its port 2, as accel_device_list calls boards that share a serial number. One
+ * program at a time has such a board. When the cable fails, jobs that were submitted and had
+ * not ended fail with -EIO, the board starts again, and the next job is as ever. Buffers hold
+ * what they held, but for what those jobs were to write; if words of a job were garbled, which
+ * USB itself hardly ever lets happen, any buffer may be spoilt. A board that fails sixteen times
+ * and does no job meanwhile counts as gone. When the kernel has no memory to send with, jobs
+ * fail with -ENOMEM, and the next may be well. When the board is unplugged, or has lost its
+ * power, and so what buffers held, though it is still on the bus, all jobs fail with -ENODEV,
+ * for good: it is another device to be opened.
  *
  * Options of the others follow the colon, separated by commas:
  *
@@ -126,8 +130,8 @@ int accel_device_list(accel_device_list_fn found, void *data);
  * sim/ beside the library, then where `make install` puts it.
  * @message may be NULL; it and @data must last as long as the device.
  * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
- * allowed, -EBUSY another program has it, -EINVAL a name or an option that is not
- * understood. The message says what to do about it. "auto" says nothing of a board that
+ * allowed, -EBUSY another program or a driver of the kernel has it, -EINVAL a name or an
+ * option that is not understood, -ENOMEM also when the kernel has none for "usb:". The message says what to do about it. "auto" says nothing of a board that
  * is not there.
  */
 int accel_device_new(const char *name, accel_message_fn message, void *data,
@@ -145,7 +149,7 @@ struct accel_device_clocks {
 	uint64_t stall_response;	/* the response waited for the host */
 };
 
-/* -ENOTSUP: this board does not count clocks, as "model:". */
+/* -ENOTSUP: this board does not count clocks, as "model:"; -EIO: it did not say; -ENODEV. */
 int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks);
 
 /* ---- buffer: a range of board memory ---- */
@@ -415,8 +419,8 @@ struct accel_fence_status {
  * Of several jobs it waits for all, and answers as for the first that failed.
  * @status may be NULL; it is filled but for -ETIMEDOUT. 0 done; -EIO the job ended
  * with a fault (see @status), or, with no fault there, the board failed and was
- * reset; -ETIMEDOUT it still runs; -ENODEV the board is gone. A wait after the job
- * has ended gives the same answer again.
+ * reset; -ETIMEDOUT it still runs; -ENODEV the board is gone; -ENOMEM there was no
+ * memory to run all of it. A wait after the job has ended gives the same answer again.
  */
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 		     struct accel_fence_status *status);

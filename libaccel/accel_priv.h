@@ -72,6 +72,8 @@ void accel_device_unref(struct accel_device *device);
  */
 int accel_device_enter(struct accel_device *device, int *held);
 void accel_device_leave(struct accel_device *device, int held);
+/* What is behind an error of a job, for people. */
+const char *accel_device_why(const struct accel_device *device, int err);
 bool accel_device_is_inherited(const struct accel_device *device);
 /* Frees a buffer that has no references, and its memory now or soon. Does not wait. */
 void accel_device_free_buffer(struct accel_device *device, struct accel_buffer *buffer);

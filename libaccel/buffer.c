@@ -40,7 +40,8 @@ int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_bu
 err_message:
 	accel_device_message(device, "no board memory for a buffer of %llu bytes: %s",
 			     (unsigned long long)size,
-			     err == -ENOMEM ? "there is not as much left" : strerror(-err));
+			     err == -ENOMEM ? "there is not as much left" :
+					      accel_device_why(device, err));
 err_free:
 	free(buffer);
 	return err;

@@ -165,6 +165,15 @@ bool accel_device_is_inherited(const struct accel_device *device)
 	return device->process != getpid();
 }
 
+const char *accel_device_why(const struct accel_device *device, int err)
+{
+	const char *why = NULL;
+
+	if (device->ops->why && !accel_device_is_inherited(device))
+		why = device->ops->why(device->state, err);
+	return why ? why : strerror(-err);
+}
+
 /* With the lock held. */
 static void device_free_memory(struct accel_device *device)
 {

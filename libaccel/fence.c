@@ -80,7 +80,8 @@ static void fence_message(struct accel_fence *fence, int err)
 	else if (err == -EIO)
 		accel_device_message(fence->device, "the board failed and was reset");
 	else if (err)
-		accel_device_message(fence->device, "the job was lost: %s", strerror(-err));
+		accel_device_message(fence->device, "the job was lost: %s",
+				     accel_device_why(fence->device, err));
 }
 
 /* The first job has ended, or with an error nobody knows; it is the fence's no more. */

@@ -202,7 +202,8 @@ int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t 
 	stream_wait_for_room(stream);
 	err = stream_start(stream, response, response_words, &sequence);
 	if (err) {
-		accel_device_message(stream->device, "a job was not taken: %s", strerror(-err));
+		accel_device_message(stream->device, "a job was not taken: %s",
+				     accel_device_why(stream->device, err));
 		return err;
 	}
 	accel_fence_add(fence, sequence, stream->buffer, stream->slots);

@@ -5,7 +5,7 @@
  * knows which one it talks to.
  *
  * The library calls one function of a device at a time, and these do not wait for
- * the board; except wait, wait_for_room and clocks, which any number of threads may
+ * the board; except wait, wait_for_room, clocks and why, which any number of threads may
  * be in at any time. It calls none in a child of fork(), and all with the thread's
  * cancellation disabled. Errors are -errno; a transport never prints, exits or keeps
  * what it was lent.
@@ -109,7 +109,7 @@ struct accel_transport_ops {
 	 * -ETIMEDOUT: still running; any other answer is the last one for this
 	 * job, whose number is then forgotten and whose response buffer is the
 	 * caller's again. -ENODEV: the board is gone; -EIO: the board failed and
-	 * was reset; @status then has no fault.
+	 * was reset; -ENOMEM: there was none to run it; @status then has no fault.
 	 */
 	int (*wait)(void *state, uint64_t sequence, int64_t timeout_ns,
 		    struct gloss_status *status);
@@ -119,6 +119,12 @@ struct accel_transport_ops {
 	 * -ENOTSUP: so has this one; -EIO, -ENODEV.
 	 */
 	int (*clocks)(void *state, struct accel_device_clocks *clocks);
+
+	/*
+	 * What is behind an @err of submit or wait, in words for people; NULL: that says
+	 * it all. May be NULL.
+	 */
+	const char *(*why)(void *state, int err);
 };
 
 extern const struct accel_transport_ops accel_transport_drm;

@@ -78,9 +78,12 @@ static int usb_identify(struct transport_usb *transport, struct accel_transport_
 	const char *name = transport->node.name;
 	uint32_t value[4];
 
-	if (usb_read_registers(&transport->node, value)) {
-		accel_transport_say(error, "%s does not answer", name);
-		return -ENODEV;
+	int err = usb_read_registers(&transport->node, value);
+
+	if (err) {
+		accel_transport_say(error, err == -ENOMEM ? "%s: " USB_NO_MEMORY :
+				    "%s does not answer", name);
+		return err == -ENOMEM ? err : -ENODEV;
 	}
 	*info = (struct accel_transport_info){
 		.version = value[1],
@@ -107,11 +110,15 @@ static int usb_start(struct transport_usb *transport, struct accel_transport_err
 {
 	int err = accel_usb_link_new(&transport->node, &transport->link);
 
-	if (!err || err == -ENOMEM)
-		return err;
-	accel_transport_say(error, "%s %s", transport->node.name, err == -ENODEV ? "is gone" :
-			    "does not answer as a Gloss board does");
-	return -ENODEV;
+	if (!err)
+		return 0;
+	if (err == -ENOMEM)
+		accel_transport_say(error, "%s: there is no memory; or " USB_NO_MEMORY,
+				    transport->node.name);
+	else
+		accel_transport_say(error, "%s %s", transport->node.name, err == -ENODEV ?
+				    "is gone" : "does not answer as a Gloss board does");
+	return err == -ENOMEM ? err : -ENODEV;
 }
 
 static int transport_usb_open(const char *where, void **state,
@@ -130,7 +137,7 @@ static int transport_usb_open(const char *where, void **state,
 		err = usb_start(transport, error);
 	if (err)
 		goto err_close;
-	usb_name(&transport->info, accel_usb_node_serial(&transport->node));
+	usb_name(&transport->info, transport->node.serial);
 	accel_range_init(&transport->ranges, transport->info.memory_size);
 	*state = transport;
 	return 0;
@@ -176,9 +183,12 @@ static int transport_usb_memory_new(void *state, uint64_t size, uint64_t *object
 	struct transport_usb *transport = state;
 	uint64_t tile_bytes = accel_clear_tile_bytes(transport->info.tile_size);
 	uint64_t tiles = (size + tile_bytes - 1) / tile_bytes;
-	struct usb_object *new = malloc(sizeof(*new));
+	struct usb_object *new;
 	int err;
 
+	if (accel_usb_link_is_gone(transport->link))
+		return -ENODEV;
+	new = malloc(sizeof(*new));
 	if (!new)
 		return -ENOMEM;
 	err = accel_range_new(&transport->ranges, tiles * tile_bytes, object);
@@ -404,6 +414,20 @@ static int transport_usb_wait(void *state, uint64_t sequence, int64_t timeout_ns
 	return accel_usb_link_wait(transport->link, sequence, timeout_ns, status);
 }
 
+static int transport_usb_clocks(void *state, struct accel_device_clocks *clocks)
+{
+	struct transport_usb *transport = state;
+
+	return accel_usb_link_clocks(transport->link, clocks);
+}
+
+static const char *transport_usb_why(void *state, int err)
+{
+	struct transport_usb *transport = state;
+
+	return accel_usb_link_why(transport->link, err);
+}
+
 const struct accel_transport_ops accel_transport_usb = {
 	.scheme = "usb",
 	.open = transport_usb_open,
@@ -415,4 +439,6 @@ const struct accel_transport_ops accel_transport_usb = {
 	.wait_for_room = transport_usb_wait_for_room,
 	.submit = transport_usb_submit,
 	.wait = transport_usb_wait,
+	.clocks = transport_usb_clocks,
+	.why = transport_usb_why,
 };

@@ -8,7 +8,6 @@
 #include "thread.h"
 #include "usb_link_priv.h"
 
-#define MS_PER_S 1000
 #define NS_PER_MS 1000000
 
 /* With as much in memory to be sent, a further job waits: more would not be sent any sooner. */
@@ -16,6 +15,8 @@
 
 /* A board that has failed so often, and done no job meanwhile, is of no use. */
 #define FAILURES_MAX 16
+
+#define MEMORY_PAUSE_MS 250
 
 /* When the thread has seen no job for a while, it looks no more, but is called. */
 #define SLEEP_MS 60000
@@ -98,7 +99,7 @@ static void link_lose(struct accel_usb_link *link, int error)
 /* After a sync: what was before it is lost, and jobs are sent again. With the lock held. */
 static void link_begin(struct accel_usb_link *link)
 {
-	link_lose(link, -EIO);
+	link_lose(link, link->broken_by);
 	if (link->state == USB_LINK_STARTING)
 		link->state = USB_LINK_READY;
 }
@@ -114,12 +115,25 @@ static void link_wake(struct accel_usb_link *link)
 
 void accel_usb_link_break(struct accel_usb_link *link, int err)
 {
+	if (link->state < USB_LINK_BROKEN) {
+		link->state = USB_LINK_BROKEN;
+		link->broken_by = err;
+	}
 	if (err == -ENODEV)
 		link->state = USB_LINK_GONE;
-	else if (link->state < USB_LINK_BROKEN)
-		link->state = USB_LINK_BROKEN;
 	if (link->asleep)
 		link_wake(link);
+}
+
+/* With the lock held, which it gives up meanwhile. The board is well, and will be tried again. */
+static void link_wait_for_memory(struct accel_usb_link *link)
+{
+	const struct timespec pause = { 0, MEMORY_PAUSE_MS * NS_PER_MS };
+
+	link_lose(link, -ENOMEM);
+	pthread_mutex_unlock(&link->lock);
+	nanosleep(&pause, NULL);
+	pthread_mutex_lock(&link->lock);
 }
 
 /*
@@ -130,11 +144,16 @@ static void link_recover(struct accel_usb_link *link)
 {
 	int err;
 
+	if (link->broken_by == -ENOMEM)
+		accel_usb_transfers_less(link);
+	else
+		accel_usb_transfers_most(link);
 	pthread_mutex_unlock(&link->lock);
-	accel_usb_link_drain(link);
-	err = accel_usb_link_sync(link);
+	err = accel_usb_link_drain(link) ? accel_usb_link_sync(link) : -ENODEV;
 	pthread_mutex_lock(&link->lock);
-	if (err || ++link->failures >= FAILURES_MAX)
+	if (err == -ENOMEM)
+		link_wait_for_memory(link);
+	else if (err || ++link->failures >= FAILURES_MAX)
 		link->state = USB_LINK_GONE;
 	else
 		link_begin(link);
@@ -143,8 +162,10 @@ static void link_recover(struct accel_usb_link *link)
 /* Likewise. */
 static void link_handle(struct accel_usb_link *link)
 {
-	int ms = accel_usb_link_watch(link);
+	int ms;
 
+	accel_usb_transfers_send(link);
+	ms = accel_usb_link_watch(link);
 	if (link->state != USB_LINK_READY)
 		return;
 	link->asleep = !ms;
@@ -179,18 +200,23 @@ static void *link_thread(void *argument)
 static void link_init_locks(struct accel_usb_link *link)
 {
 	pthread_mutex_init(&link->lock, NULL);
+	pthread_mutex_init(&link->clocks.lock, NULL);
 	pthread_cond_init(&link->room, NULL);
 	accel_thread_condition_init(&link->ended);
 	accel_usb_pool_init(&link->pool);
 }
 
+/* But for one whose transfers are in flight for ever. */
 static void link_destroy(struct accel_usb_link *link)
 {
+	if (link->node->stuck)
+		return;
 	accel_usb_transfers_fini(link);
 	accel_job_table_fini(&link->jobs, NULL);
 	accel_usb_pool_fini(&link->pool);
 	pthread_cond_destroy(&link->ended);
 	pthread_cond_destroy(&link->room);
+	pthread_mutex_destroy(&link->clocks.lock);
 	pthread_mutex_destroy(&link->lock);
 	free(link);
 }
@@ -205,6 +231,7 @@ int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **out)
 	link->node = node;
 	link->last = &link->first;
 	accel_job_table_init(&link->jobs);
+	accel_usb_transfers_most(link);
 	link_init_locks(link);
 	err = accel_usb_transfers_init(link);
 	if (!err)
@@ -236,6 +263,35 @@ void accel_usb_link_free(struct accel_usb_link *link)
 	pthread_mutex_unlock(&link->lock);
 	pthread_join(link->thread, NULL);
 	link_destroy(link);
+}
+
+bool accel_usb_link_is_gone(struct accel_usb_link *link)
+{
+	bool gone;
+
+	pthread_mutex_lock(&link->lock);
+	gone = link->state == USB_LINK_GONE;
+	pthread_mutex_unlock(&link->lock);
+	return gone;
+}
+
+const char *accel_usb_link_why(struct accel_usb_link *link, int err)
+{
+	const char *why = "the board is unplugged, or does not answer";
+
+	if (err == -ENOMEM)
+		return USB_NO_MEMORY;
+	if (err != -ENODEV)
+		return NULL;
+	pthread_mutex_lock(&link->lock);
+	if (link->node->stuck)
+		why = "transfers on USB do not end";
+	else if (link->powerless)
+		why = "the board has lost its power, and what its memory held; open it again";
+	else if (link->failures >= FAILURES_MAX)
+		why = "the board fails again and again";
+	pthread_mutex_unlock(&link->lock);
+	return why;
 }
 
 /* ---- submitting ---- */
@@ -302,10 +358,7 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 
 int64_t accel_usb_link_now_ms(void)
 {
-	struct timespec now;
-
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return now.tv_sec * (int64_t)MS_PER_S + now.tv_nsec / NS_PER_MS;
+	return accel_thread_now_ns() / NS_PER_MS;
 }
 
 /* The job's result, of which nothing is kept. */

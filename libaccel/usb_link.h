@@ -33,11 +33,19 @@ struct accel_usb_link;
 
 /*
  * Brings the board up, and starts the thread. @node stays the caller's, and lasts as long as
- * the link. -ENOMEM, -ENODEV (it is gone), -EIO (it does not do as a board does).
+ * the link. -ENOMEM (the kernel's, too), -ENODEV (it is gone), -EIO (it does not do as a board
+ * does).
  */
 int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **link);
 /* No job is outstanding. */
 void accel_usb_link_free(struct accel_usb_link *link);
+
+/* For good. */
+bool accel_usb_link_is_gone(struct accel_usb_link *link);
+/* What is behind @err of a job, for people; NULL: that says it all. */
+const char *accel_usb_link_why(struct accel_usb_link *link, int err);
+/* As struct accel_transport_ops.clocks. */
+int accel_usb_link_clocks(struct accel_usb_link *link, struct accel_device_clocks *clocks);
 
 /* A job with room for a message of @words words; NULL: out of memory. */
 struct accel_usb_job *accel_usb_job_new(struct accel_usb_link *link, size_t words);

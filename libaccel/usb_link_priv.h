@@ -10,6 +10,9 @@
 #define USB_OUT_TRANSFERS 8
 #define USB_IN_TRANSFERS 4
 #define USB_TRANSFER_BYTES (256u << 10)
+/* When the kernel has no memory for such long ones, they are halved down to these. */
+#define USB_OUT_BYTES_MIN (4u << 10)
+#define USB_IN_BYTES_MIN (16u << 10)
 
 enum usb_link_state {
 	USB_LINK_STARTING,		/* the sync is on its way */
@@ -23,7 +26,11 @@ struct usb_transfer {
 	struct libusb_transfer *transfer;
 	struct accel_usb_job *job;	/* of OUT, NULL: the sync */
 	bool in_flight;
-	bool ended;			/* IN: and its turn has not come */
+	/* Of IN: */
+	bool queued;			/* submitted, and its words not taken yet */
+	bool ended;			/* and its turn has not come */
+	bool gives_way;			/* it is cancelled, what it has is right */
+	struct usb_transfer *next;	/* submitted after it */
 };
 
 /* How long nothing has moved. */
@@ -36,6 +43,13 @@ struct usb_watch {
 	uint64_t spent;			/* by how much it has moved since then */
 };
 
+/* What the board's counters have summed up to, though they begin again with each reset. */
+struct usb_clocks {
+	pthread_mutex_t lock;		/* and of the node's handle, for who is not the thread */
+	struct accel_device_clocks sum, last;	/* last: as read, since the reset */
+	int64_t next_ms;		/* when they are to be read, before one wraps */
+};
+
 struct accel_usb_link {
 	struct accel_usb_node *node;
 	pthread_t thread;
@@ -45,10 +59,16 @@ struct accel_usb_link {
 	bool stop;
 	bool asleep;			/* the thread may be, for long */
 	enum usb_link_state state;
+	int broken_by;			/* what jobs are told when it is broken */
+	bool powerless;			/* gone, because the board had lost its power */
 
 	struct usb_transfer out[USB_OUT_TRANSFERS], in[USB_IN_TRANSFERS], event;
 	unsigned int in_flight;
-	unsigned int in_next;		/* the one whose words come next */
+	struct usb_transfer *in_first, **in_last;	/* in the order of their words */
+	unsigned int in_queued;		/* in there */
+	unsigned int in_count;		/* as many are to be */
+	unsigned int in_bytes, out_bytes;	/* of one, at most */
+	bool starved;			/* no memory for a transfer that is needed */
 	uint32_t *in_words;		/* the buffers of IN */
 	uint32_t event_words[GLOSS_USB_EVENT_WORDS];
 	uint32_t sync_words[GLOSS_USB_SYNC_WORDS];
@@ -58,7 +78,9 @@ struct accel_usb_link {
 	bool synchronised;
 	struct accel_usb_parser parser;
 
+	uint32_t boot;			/* what the board's BOOT has to be; 0 at first */
 	struct usb_watch watch;
+	struct usb_clocks clocks;	/* has its own lock */
 	uint64_t sequence;		/* of the last job */
 	uint64_t losses;
 	unsigned int failures;		/* since a job of the program's was done */
@@ -76,16 +98,21 @@ struct accel_usb_link {
 /* -ENOMEM: and some are there. */
 int accel_usb_transfers_init(struct accel_usb_link *link);
 void accel_usb_transfers_fini(struct accel_usb_link *link);
-/* Begins to read, and sends a sync with @nonce. The link is starting. */
-void accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce);
-/* Sends what can be sent of the jobs. */
+/* Begins to read, and sends a sync with @nonce. The link is starting. -ENOMEM: the kernel has none
+ * for that. */
+int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce);
+/* As many and as long ones as there may be are to be started next time, or about half of what was
+ * started last; false: that was the least. */
+void accel_usb_transfers_most(struct accel_usb_link *link);
+bool accel_usb_transfers_less(struct accel_usb_link *link);
+/* Sends what can be sent of the jobs, and reads again where there was no memory for it. */
 void accel_usb_transfers_send(struct accel_usb_link *link);
 void accel_usb_transfers_cancel(struct accel_usb_link *link);
 /* Lets callbacks come, at most for a time. */
 void accel_usb_transfers_handle(struct accel_usb_link *link, int ms);
 
 /* usb_link.c, with the lock held. */
-/* The link has failed, or (@err -ENODEV) is gone. */
+/* The link has failed, as the jobs are to be told (-EIO, -ENOMEM), or is gone (-ENODEV). */
 void accel_usb_link_break(struct accel_usb_link *link, int err);
 /* All of the job was sent, or answered. */
 void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job);
@@ -95,12 +122,18 @@ void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job 
 int accel_usb_link_watch(struct accel_usb_link *link);
 
 /* usb_sync.c, without the lock. */
-/* Ends what is in flight. */
-void accel_usb_link_drain(struct accel_usb_link *link);
-/* Resets the board and finds the beginning of IN; the link is starting still. -EIO, -ENODEV. */
+/* Ends what is in flight. False: that can not be done, so what it uses must stay for ever. */
+bool accel_usb_link_drain(struct accel_usb_link *link);
+/* Resets the board and finds the beginning of IN; the link is starting still. -EIO, -ENODEV,
+ * -ENOMEM. */
 int accel_usb_link_sync(struct accel_usb_link *link);
 
-/* CLOCK_MONOTONIC */
+/* usb_clocks.c, in the thread, without the lock. */
+/* Adds what was counted since the last time, if the board says. */
+void accel_usb_clocks_keep(struct accel_usb_link *link);
+/* They begin again. */
+void accel_usb_clocks_restart(struct accel_usb_link *link);
+
 int64_t accel_usb_link_now_ms(void);
 
 #endif

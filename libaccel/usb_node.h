@@ -4,13 +4,20 @@
 #define ACCEL_USB_NODE_H
 
 #include <libusb.h>
+#include <stdbool.h>
 
-#include "transport.h"
+#include "usb_where.h"
+
+/* What a program that gets no memory from the kernel's USB can do about it. */
+#define USB_NO_MEMORY "the kernel has no memory for USB transfers, of which " \
+		      "/sys/module/usbcore/parameters/usbfs_memory_mb is the bound"
 
 struct accel_usb_node {
 	libusb_context *context;	/* of this board alone */
 	libusb_device_handle *handle;	/* which has claimed the interface */
-	char name[sizeof("usb:0000:0000/") + 128];	/* as accel_device_new takes it */
+	bool stuck;			/* transfers are in flight that do not end */
+	char name[USB_NAME_BYTES];	/* as accel_device_new takes it */
+	char serial[USB_SERIAL_BYTES];	/* "": it has none */
 };
 
 /*
@@ -19,17 +26,23 @@ struct accel_usb_node {
  */
 int accel_usb_node_open(const char *where, struct accel_usb_node *node,
 			struct accel_transport_error *error);
-/* No transfer is in flight. */
+/* No transfer is in flight; a node that is stuck is left open. */
 void accel_usb_node_close(struct accel_usb_node *node);
-/* What the board is called among its like: its serial number, "" if it has none. */
-const char *accel_usb_node_serial(const struct accel_usb_node *node);
+/*
+ * Claims the interface once more if that can be had: then it had been lost, as when somebody else
+ * resets the bus. No transfer is in flight. -ENODEV: the board is gone.
+ */
+int accel_usb_node_claim_again(struct accel_usb_node *node);
+/* That of an answer of libusb to a call for an open board: 0 (also for a count), -ENODEV, -ENOMEM,
+ * or -EIO for all else. */
+int accel_usb_node_error(int err);
 
 /* As struct accel_transport_ops.list. */
 int accel_usb_node_list(accel_device_list_fn found, void *data);
 
 /*
  * Registers, at byte @offset. Not to be called in a callback of libusb, and may call some.
- * -ENODEV: the board is gone; -EIO: it did not answer, or not so.
+ * -ENODEV: the board is gone; -ENOMEM; -EIO: it did not answer, or not so.
  */
 int accel_usb_node_read(struct accel_usb_node *node, uint16_t offset, uint32_t *value);
 int accel_usb_node_write(struct accel_usb_node *node, uint16_t offset, uint32_t value);

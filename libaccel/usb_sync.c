@@ -12,6 +12,10 @@
 #define ECHO_MS 2000
 #define HANDLE_MS 100
 
+/* Every transfer that is cancelled ends soon, if anybody tells: somebody may have closed the file
+ * descriptors of libusb, as daemons do of all that they inherit. */
+#define DRAIN_MS 10000
+
 /* A board that has just been unplugged is soon known to be; one that has a fault may get over
  * it. */
 #define PAUSE_MS 20
@@ -25,16 +29,23 @@ static void sync_pause(int ms)
 }
 
 /* Cancelling is repeated: a call that fails must not make this wait for ever. */
-void accel_usb_link_drain(struct accel_usb_link *link)
+bool accel_usb_link_drain(struct accel_usb_link *link)
 {
+	int64_t deadline = accel_usb_link_now_ms() + DRAIN_MS;
+	bool drained;
+
 	pthread_mutex_lock(&link->lock);
-	while (link->in_flight) {
+	while (link->in_flight && !link->node->stuck && accel_usb_link_now_ms() < deadline) {
 		accel_usb_transfers_cancel(link);
 		pthread_mutex_unlock(&link->lock);
 		accel_usb_transfers_handle(link, HANDLE_MS);
 		pthread_mutex_lock(&link->lock);
 	}
+	drained = !link->in_flight;
+	if (!drained)
+		link->node->stuck = true;
 	pthread_mutex_unlock(&link->lock);
+	return drained;
 }
 
 static int sync_clear_halt(struct accel_usb_link *link, bool *halted, unsigned char endpoint)
@@ -43,7 +54,34 @@ static int sync_clear_halt(struct accel_usb_link *link, bool *halted, unsigned c
 
 	if (!err)
 		*halted = false;
-	return err == LIBUSB_ERROR_NO_DEVICE ? -ENODEV : err ? -EIO : 0;
+	return accel_usb_node_error(err);
+}
+
+static int sync_clear_halts(struct accel_usb_link *link)
+{
+	int err = sync_clear_halt(link, &link->halted_out, GLOSS_USB_ENDPOINT_OUT);
+
+	if (!err)
+		err = sync_clear_halt(link, &link->halted_in, GLOSS_USB_ENDPOINT_IN);
+	if (!err)
+		err = sync_clear_halt(link, &link->halted_event, GLOSS_USB_ENDPOINT_EVENT);
+	return err;
+}
+
+/*
+ * Somebody else may have reset the bus, and with that taken the interface from this program. The
+ * handle's users among other threads keep away meanwhile.
+ */
+static int sync_claim(struct accel_usb_link *link)
+{
+	int err;
+
+	if (!link->boot)
+		return 0;
+	pthread_mutex_lock(&link->clocks.lock);
+	err = accel_usb_node_claim_again(link->node);
+	pthread_mutex_unlock(&link->clocks.lock);
+	return err;
 }
 
 /* The board forgets what it was doing. */
@@ -53,6 +91,7 @@ static int sync_reset(struct accel_usb_link *link)
 	uint32_t control = 0;
 	int err;
 
+	accel_usb_clocks_keep(link);
 	err = accel_usb_node_write(link->node, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
 	while (!err) {
 		err = accel_usb_node_read(link->node, GLOSS_REG_CONTROL, &control);
@@ -62,16 +101,35 @@ static int sync_reset(struct accel_usb_link *link)
 			return -EIO;
 		sync_pause(1);
 	}
+	if (!err)
+		accel_usb_clocks_restart(link);
 	return err;
 }
 
-static int sync_nonce(uint32_t *nonce)
+/* Not 0. */
+static int sync_random(uint32_t *number)
 {
 	do {
-		if (getrandom(nonce, sizeof(*nonce), 0) != sizeof(*nonce))
+		if (getrandom(number, sizeof(*number), 0) != sizeof(*number))
 			return -EIO;
-	} while (!*nonce);
+	} while (!*number);
 	return 0;
+}
+
+/* Only at the first start: the board keeps it, as long as it has power. */
+static int sync_set_boot(struct accel_usb_link *link)
+{
+	uint32_t boot = 0;
+	int err;
+
+	if (link->boot)
+		return 0;
+	err = sync_random(&boot);
+	if (!err)
+		err = accel_usb_node_write(link->node, GLOSS_REG_BOOT, boot);
+	if (!err)
+		link->boot = boot;
+	return err;
 }
 
 /* With the lock held, which it gives up while it waits. */
@@ -87,25 +145,66 @@ static void sync_wait(struct accel_usb_link *link)
 	}
 }
 
-/* Sends the sync, and waits for it to come back. */
-static int sync_echo(struct accel_usb_link *link, uint32_t nonce)
+/* With the lock held, which it gives up while it waits. */
+static int sync_echo_locked(struct accel_usb_link *link, uint32_t nonce)
 {
 	int err = 0;
 
-	pthread_mutex_lock(&link->lock);
 	if (link->state != USB_LINK_GONE) {
 		link->state = USB_LINK_STARTING;
-		accel_usb_transfers_start(link, nonce);
+		err = accel_usb_transfers_start(link, nonce);
 	}
-	sync_wait(link);
-	if (link->state != USB_LINK_STARTING || !link->synchronised) {
-		accel_usb_link_break(link, -EIO);
-		err = link->state == USB_LINK_GONE ? -ENODEV : -EIO;
-	}
+	if (!err)
+		sync_wait(link);
+	if (!err && link->state == USB_LINK_STARTING && link->synchronised)
+		return 0;
+	accel_usb_link_break(link, err ? err : -EIO);
+	if (link->state == USB_LINK_GONE)
+		return -ENODEV;
+	return err == -ENOMEM ? err : -EIO;
+}
+
+/* Sends the sync, and waits for it to come back. */
+static int sync_echo(struct accel_usb_link *link, uint32_t nonce)
+{
+	int err;
+
+	pthread_mutex_lock(&link->lock);
+	err = sync_echo_locked(link, nonce);
 	pthread_mutex_unlock(&link->lock);
-	if (err)
-		accel_usb_link_drain(link);
+	if (err && !accel_usb_link_drain(link))
+		err = -ENODEV;
 	return err;
+}
+
+static int sync_read_boot(struct accel_usb_link *link)
+{
+	uint32_t boot;
+	int err = accel_usb_node_read(link->node, GLOSS_REG_BOOT, &boot);
+
+	if (err || boot == link->boot)
+		return err;
+	pthread_mutex_lock(&link->lock);
+	link->powerless = true;
+	pthread_mutex_unlock(&link->lock);
+	return -ENODEV;
+}
+
+/*
+ * Whether it is still the board that was opened, with what its memory held. One that has lost its
+ * power behind a bridge that has not looks the same but for this. When it loses that after the
+ * sync, it is unsynchronised, and so is looked at again.
+ */
+static int sync_check_boot(struct accel_usb_link *link)
+{
+	int err = sync_read_boot(link);
+
+	if (!err)
+		return 0;
+	pthread_mutex_lock(&link->lock);
+	accel_usb_link_break(link, err);
+	pthread_mutex_unlock(&link->lock);
+	return accel_usb_link_drain(link) ? err : -ENODEV;
 }
 
 static int sync_once(struct accel_usb_link *link)
@@ -113,21 +212,23 @@ static int sync_once(struct accel_usb_link *link)
 	uint32_t nonce = 0;
 	int err;
 
-	err = sync_clear_halt(link, &link->halted_out, GLOSS_USB_ENDPOINT_OUT);
+	err = sync_claim(link);
 	if (!err)
-		err = sync_clear_halt(link, &link->halted_in, GLOSS_USB_ENDPOINT_IN);
-	if (!err)
-		err = sync_clear_halt(link, &link->halted_event, GLOSS_USB_ENDPOINT_EVENT);
+		err = sync_clear_halts(link);
 	if (!err)
 		err = sync_reset(link);
 	if (!err)
-		err = sync_nonce(&nonce);
+		err = sync_set_boot(link);
+	if (!err)
+		err = sync_random(&nonce);
 	if (!err)
 		err = accel_usb_node_write(link->node, GLOSS_REG_NONCE, nonce);
-	return err ? err : sync_echo(link, nonce);
+	if (!err)
+		err = sync_echo(link, nonce);
+	return err ? err : sync_check_boot(link);
 }
 
-int accel_usb_link_sync(struct accel_usb_link *link)
+static int sync_attempts(struct accel_usb_link *link)
 {
 	int attempt, err = -EIO;
 
@@ -136,5 +237,15 @@ int accel_usb_link_sync(struct accel_usb_link *link)
 			sync_pause(PAUSE_MS << 2 * attempt);
 		err = sync_once(link);
 	}
+	return err;
+}
+
+int accel_usb_link_sync(struct accel_usb_link *link)
+{
+	int err;
+
+	do {
+		err = sync_attempts(link);
+	} while (err == -ENOMEM && accel_usb_transfers_less(link));
 	return err;
 }

@@ -10,18 +10,105 @@
 
 /* ---- submitting ---- */
 
-/* With the lock held. False: it did not go, and the link is broken. */
-static bool transfer_submit(struct usb_transfer *transfer)
+/* With the lock held. -ENOMEM: there is none at the moment; else the link is broken by an error. */
+static int transfer_submit(struct usb_transfer *transfer)
 {
 	struct accel_usb_link *link = transfer->link;
-	int err = libusb_submit_transfer(transfer->transfer);
+	int err;
 
-	if (err) {
-		accel_usb_link_break(link, err == LIBUSB_ERROR_NO_DEVICE ? -ENODEV : -EIO);
-		return false;
-	}
+	transfer->transfer->dev_handle = link->node->handle;
+	err = accel_usb_node_error(libusb_submit_transfer(transfer->transfer));
+	if (err && err != -ENOMEM)
+		accel_usb_link_break(link, err);
+	if (err)
+		return err;
 	transfer->in_flight = true;
 	link->in_flight++;
+	link->starved = false;
+	return 0;
+}
+
+/* False: it is as short as it may be. */
+static bool bytes_halve(unsigned int *bytes, unsigned int min)
+{
+	if (*bytes <= min)
+		return false;
+	*bytes /= 2;
+	return true;
+}
+
+static int in_submit(struct accel_usb_link *link, struct usb_transfer *in)
+{
+	int err;
+
+	in->transfer->length = (int)link->in_bytes;
+	err = transfer_submit(in);
+	if (err)
+		return err;
+	in->queued = true;
+	in->ended = in->gives_way = false;
+	in->next = NULL;
+	link->in_queued++;
+	*link->in_last = in;
+	link->in_last = &in->next;
+	return 0;
+}
+
+static int in_submit_all(struct accel_usb_link *link)
+{
+	unsigned int i;
+	int err = 0;
+
+	for (i = 0; i < USB_IN_TRANSFERS && link->in_queued < link->in_count && !err; i++)
+		if (!link->in[i].queued)
+			err = in_submit(link, &link->in[i]);
+	return err;
+}
+
+/* As many as there is memory for; -ENOMEM: not even one. */
+static int in_submit_some(struct accel_usb_link *link)
+{
+	int err;
+
+	do {
+		err = in_submit_all(link);
+	} while (err == -ENOMEM && bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN));
+	if (err != -ENOMEM || link->in_first)
+		return err == -ENOMEM ? 0 : err;
+	link->starved = true;
+	return err;
+}
+
+void accel_usb_transfers_most(struct accel_usb_link *link)
+{
+	link->in_count = USB_IN_TRANSFERS;
+	link->in_bytes = link->out_bytes = USB_TRANSFER_BYTES;
+}
+
+bool accel_usb_transfers_less(struct accel_usb_link *link)
+{
+	return bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN) || bytes_halve(&link->in_count, 1);
+}
+
+/*
+ * When there is no memory to send, because what waits to be read into has it all, the last of that
+ * is given back. False: there is nothing to be given.
+ */
+static bool in_give_way(struct accel_usb_link *link)
+{
+	struct usb_transfer *in, *last = NULL;
+
+	for (in = link->in_first; in; in = in->next) {
+		if (in->gives_way)
+			return true;
+		if (!in->ended)
+			last = in;
+	}
+	if (!last || (!bytes_halve(&link->in_count, 1) &&
+		      !bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN)))
+		return false;
+	last->gives_way = true;
+	libusb_cancel_transfer(last->transfer);
 	return true;
 }
 
@@ -35,8 +122,8 @@ static struct usb_transfer *out_unused(struct accel_usb_link *link)
 	return NULL;
 }
 
-static bool out_submit(struct usb_transfer *out, struct accel_usb_job *job, void *bytes,
-		       size_t count)
+static int out_submit(struct usb_transfer *out, struct accel_usb_job *job, void *bytes,
+		      size_t count)
 {
 	out->job = job;
 	out->transfer->buffer = bytes;
@@ -44,25 +131,54 @@ static bool out_submit(struct usb_transfer *out, struct accel_usb_job *job, void
 	return transfer_submit(out);
 }
 
+/* What comes next of @job. */
+static int out_submit_job(struct accel_usb_link *link, struct usb_transfer *out,
+			  struct accel_usb_job *job)
+{
+	uint8_t *bytes = (uint8_t *)job->message->word + job->started;
+	size_t count;
+	int err;
+
+	do {
+		count = job->bytes - job->started;
+		if (count > link->out_bytes)
+			count = link->out_bytes;
+		err = out_submit(out, job, bytes, count);
+	} while (err == -ENOMEM && bytes_halve(&link->out_bytes, USB_OUT_BYTES_MIN));
+	if (err)
+		return err;
+	job->started += count;
+	if (job->started == job->bytes)
+		link->sending = job->next;
+	return 0;
+}
+
+static bool out_in_flight(const struct accel_usb_link *link)
+{
+	unsigned int i;
+
+	for (i = 0; i < USB_OUT_TRANSFERS; i++)
+		if (link->out[i].in_flight)
+			return true;
+	return false;
+}
+
+/* What there is no memory for is sent when a transfer has ended, or the thread looks again. */
 void accel_usb_transfers_send(struct accel_usb_link *link)
 {
 	struct usb_transfer *out;
+	int err;
 
-	while (link->state == USB_LINK_READY && link->sending && (out = out_unused(link))) {
-		struct accel_usb_job *job = link->sending;
-		size_t count = job->bytes - job->started;
-
-		if (count > USB_TRANSFER_BYTES)
-			count = USB_TRANSFER_BYTES;
-		if (!out_submit(out, job, (uint8_t *)job->message->word + job->started, count))
-			return;
-		job->started += count;
-		if (job->started == job->bytes)
-			link->sending = job->next;
-	}
+	if (link->state != USB_LINK_READY)
+		return;
+	err = in_submit_some(link);
+	while (!err && link->sending && (out = out_unused(link)))
+		err = out_submit_job(link, out, link->sending);
+	if (err == -ENOMEM && !out_in_flight(link) && !in_give_way(link))
+		link->starved = true;
 }
 
-void accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce)
+int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce)
 {
 	const struct gloss_usb_sync sync = {
 		.mark = GLOSS_USB_SYNC_MAGIC,
@@ -71,18 +187,23 @@ void accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce)
 		.mark_complement = ~GLOSS_USB_SYNC_MAGIC,
 	};
 	unsigned int i;
+	int err;
 
 	accel_usb_parser_start(&link->parser, nonce);
 	gloss_usb_sync_pack(link->sync_words, &sync);
-	link->in_next = 0;
+	link->in_first = NULL;
+	link->in_last = &link->in_first;
+	link->in_queued = 0;
 	link->synchronised = link->hint = false;
-	for (i = 0; i < USB_IN_TRANSFERS; i++) {
-		link->in[i].ended = false;
-		if (!transfer_submit(&link->in[i]))
-			return;
-	}
-	if (transfer_submit(&link->event))
-		out_submit(&link->out[0], NULL, link->sync_words, sizeof(link->sync_words));
+	for (i = 0; i < USB_IN_TRANSFERS; i++)
+		link->in[i].queued = false;
+	err = in_submit_all(link);
+	if (err)
+		return err;
+	err = transfer_submit(&link->event);
+	if (err && err != -ENOMEM)
+		return err;
+	return out_submit(&link->out[0], NULL, link->sync_words, sizeof(link->sync_words));
 }
 
 /* ---- what has ended ---- */
@@ -180,16 +301,22 @@ static void in_ended(struct libusb_transfer *transfer)
 	struct accel_usb_link *link = in->link;
 
 	pthread_mutex_lock(&link->lock);
+	if (in->gives_way && transfer->status == LIBUSB_TRANSFER_CANCELLED)
+		transfer->status = LIBUSB_TRANSFER_COMPLETED;
 	in->ended = transfer_end(in, &link->halted_in);
 	if (!in->ended)
 		accel_usb_link_break(link, -EIO);
-	for (in = &link->in[link->in_next]; in->ended && link->state < USB_LINK_BROKEN;
-	     in = &link->in[link->in_next]) {
-		in->ended = false;
-		link->in_next = (link->in_next + 1) % USB_IN_TRANSFERS;
+	while (link->state < USB_LINK_BROKEN && link->in_first && link->in_first->ended) {
+		in = link->in_first;
+		link->in_first = in->next;
+		if (!link->in_first)
+			link->in_last = &link->in_first;
+		in->queued = false;
+		link->in_queued--;
 		if (in_take(link, in->transfer))
-			transfer_submit(in);
+			in_submit_some(link);
 	}
+	accel_usb_transfers_send(link);
 	pthread_mutex_unlock(&link->lock);
 }
 
@@ -244,8 +371,7 @@ static bool transfer_init(struct usb_transfer *transfer, struct accel_usb_link *
 	transfer->transfer = libusb_alloc_transfer(0);
 	if (!transfer->transfer)
 		return false;
-	libusb_fill_bulk_transfer(transfer->transfer, link->node->handle, endpoint, NULL, 0, ended,
-				  transfer, 0);
+	libusb_fill_bulk_transfer(transfer->transfer, NULL, endpoint, NULL, 0, ended, transfer, 0);
 	return true;
 }
 
@@ -262,7 +388,6 @@ static bool transfers_init_all(struct accel_usb_link *link)
 		if (!transfer_init(in, link, GLOSS_USB_ENDPOINT_IN, in_ended))
 			return false;
 		in->transfer->buffer = (unsigned char *)link->in_words + i * USB_TRANSFER_BYTES;
-		in->transfer->length = USB_TRANSFER_BYTES;
 	}
 	if (!transfer_init(&link->event, link, GLOSS_USB_ENDPOINT_EVENT, event_ended))
 		return false;

@@ -10,6 +10,7 @@
 #define LOOKS 8
 #define LOOK_MS 250
 #define LOOKS_IDLE 4
+#define CLOCKS_MS 5000
 
 /* Words that PROGRESS has yet to count at most. */
 static uint64_t watch_words(const struct accel_usb_link *link)
@@ -62,7 +63,7 @@ static void watch_hint(struct accel_usb_link *link)
 	pthread_mutex_unlock(&link->lock);
 	err = accel_usb_node_read(link->node, GLOSS_REG_STATUS, &status);
 	pthread_mutex_lock(&link->lock);
-	if (err || status & GLOSS_REG_STATUS_LOST)
+	if (err != -ENOMEM && (err || status & GLOSS_REG_STATUS_LOST))
 		accel_usb_link_break(link, err ? err : -EIO);
 }
 
@@ -75,7 +76,18 @@ static void watch_look(struct accel_usb_link *link)
 	else
 		watch->still++;
 	if (link->running && watch->still >= LOOKS)
-		accel_usb_link_break(link, -EIO);
+		accel_usb_link_break(link, link->starved ? -ENOMEM : -EIO);
+}
+
+/* Likewise. Counters of 32 bits wrap while there is always a job. */
+static void watch_clocks(struct accel_usb_link *link, int64_t now)
+{
+	if (!link->running || now < link->clocks.next_ms)
+		return;
+	link->clocks.next_ms = now + CLOCKS_MS;
+	pthread_mutex_unlock(&link->lock);
+	accel_usb_clocks_keep(link);
+	pthread_mutex_lock(&link->lock);
 }
 
 int accel_usb_link_watch(struct accel_usb_link *link)
@@ -85,6 +97,7 @@ int accel_usb_link_watch(struct accel_usb_link *link)
 
 	if (link->hint)
 		watch_hint(link);
+	watch_clocks(link, now);
 	if (watch->moves != link->moves)
 		*watch = (struct usb_watch){ .moves = link->moves, .next_ms = now + LOOK_MS };
 	if (now >= watch->next_ms) {

@@ -128,6 +128,31 @@ static void the_first_board_is_taken_and_each_by_its_number(void **state)
 	assert_opens("usb:1209:0001/C", BOARD("C"));
 }
 
+/* Three with one serial number, as of a batch that nobody has given numbers. */
+static void boards_of_one_number_are_told_apart_by_their_ports(void **state)
+{
+	struct accel_device *first, *second;
+
+	(void)state;
+	for (unsigned int n = 0; n < 3; n++) {
+		fake_usb.board[n].serial = n < 2 ? "SAME" : NULL;
+		fake_usb_plug(n, true);
+	}
+	assert_opens("usb:1-1", BOARD("SAME"));
+	assert_opens("usb:1-2", BOARD("SAME"));
+	assert_opens("usb:1-3", "Gloss USB board, 64-pixel tiles, 1 lanes");
+	assert_int_equal(open_name("usb:1-2", &second), 0);
+	assert_refused("usb:1-2", -EBUSY, "usb:1-2 is in use by another program");
+	assert_int_equal(open_name("usb:1-1", &first), 0);
+	accel_device_free(first);
+	accel_device_free(second);
+	fake_usb.board[1].vendor = 0xabcd;
+	assert_opens("usb:1-2", BOARD("SAME"));
+	assert_refused("usb:1-4", -ENODEV, "there is no Gloss board at usb:1-4; gloss-info --list");
+	assert_refused("usb:2-1", -ENODEV, "there is no Gloss board at usb:2-1");
+	assert_refused("usb:1-1.1", -ENODEV, "there is no Gloss board at usb:1-1.1");
+}
+
 static void of_two_boards_one_that_opens_is_taken(void **state)
 {
 	(void)state;
@@ -163,7 +188,8 @@ static void what_is_no_name_is_refused(void **state)
 	static const char *const names[] = {
 		"usb:1209", "usb:1209:", "usb::0001", "usb:/", "usb:1209:0001/", "usb:12090:1",
 		"usb:1209:00001", "usb:0x1209:1", "usb:1209:0001:1", "usb:1209/A", "usb:tile=32",
-		"usb: ", "usb:1209:0001 ",
+		"usb: ", "usb:1209:0001 ", "usb:1-", "usb:-1", "usb:1-2.", "usb:1-2 ", "usb:1-2.3-4",
+		"usb:1-a", "usb:1209:0001@1-2",
 	};
 
 	(void)state;
@@ -199,6 +225,17 @@ static void a_board_in_use_is_named(void **state)
 	assert_refused("usb:", -EBUSY, "usb:1209:0001/VIRTUAL0 is in use by another program");
 	assert_refused("usb:/VIRTUAL0", -EBUSY, "usb:1209:0001/VIRTUAL0 is in use");
 	fake_usb.board[0].foreign = false;
+	assert_opens("usb:", BOARD("VIRTUAL0"));
+}
+
+static void a_driver_of_the_kernel_is_not_taken_for_a_program(void **state)
+{
+	(void)state;
+	fake_usb.board[0].kernel_driver = true;
+	assert_refused("usb:", -EBUSY, "usb:1209:0001/VIRTUAL0 is held by a driver of the kernel");
+	assert_message(&messages, "/sys/bus/usb/devices/1-1:*/driver");
+	assert_refused("usb:1-1", -EBUSY, "usb:1-1 is held by a driver of the kernel");
+	fake_usb.board[0].kernel_driver = false;
 	assert_opens("usb:", BOARD("VIRTUAL0"));
 }
 
@@ -310,7 +347,8 @@ static void errors_of_libusb_are_told(void **state)
 		{ "libusb_control_transfer", LIBUSB_ERROR_PIPE, -ENODEV, "does not answer" },
 		{ "libusb_control_transfer", LIBUSB_ERROR_TIMEOUT, -ENODEV, "does not answer" },
 		{ "libusb_control_transfer", LIBUSB_ERROR_NO_DEVICE, -ENODEV, "does not answer" },
-		{ "libusb_alloc_transfer", LIBUSB_ERROR_NO_MEM, -ENOMEM, "Cannot allocate memory" },
+		{ "libusb_alloc_transfer", LIBUSB_ERROR_NO_MEM, -ENOMEM, "usbfs_memory_mb" },
+		{ "libusb_control_transfer", LIBUSB_ERROR_NO_MEM, -ENOMEM, "usbfs_memory_mb" },
 		{ "libusb_submit_transfer", LIBUSB_ERROR_NO_DEVICE, -ENODEV, "VIRTUAL0 is gone" },
 	};
 
@@ -386,6 +424,21 @@ static void every_board_is_listed_with_what_it_is_or_why_not(void **state)
 	assert_non_null(strstr(second, ", high speed\n"));
 }
 
+static void boards_of_one_number_are_listed_by_their_ports(void **state)
+{
+	struct listed listed = { "", 0 };
+
+	(void)state;
+	plug_boards(3);
+	fake_usb.board[0].serial = fake_usb.board[2].serial = "SAME";
+	assert_int_equal(accel_device_list(list_take, &listed), 0);
+	assert_int_equal(listed.count, 3);
+	assert_int_equal(strncmp(listed.text, "usb:1-1|Gloss USB board", 23), 0);
+	assert_non_null(strstr(listed.text, "\nusb:1209:0001/B|Gloss USB board"));
+	assert_non_null(strstr(listed.text, "\nusb:1-3|Gloss USB board"));
+	assert_non_null(strstr(listed.text, ", port 1-2, high speed"));
+}
+
 static void a_list_of_no_board_is_empty(void **state)
 {
 	struct listed listed = { "", 0 };
@@ -454,18 +507,21 @@ int main(void)
 		usb_test(a_board_opens_by_every_name),
 		usb_test(a_board_with_other_ids_opens_by_them),
 		usb_test(the_first_board_is_taken_and_each_by_its_number),
+		usb_test(boards_of_one_number_are_told_apart_by_their_ports),
 		usb_test(of_two_boards_one_that_opens_is_taken),
 		usb_test(two_boards_work_at_once),
 		usb_test(what_is_no_name_is_refused),
 		usb_test(no_board_is_said_with_what_to_do),
 		usb_test(a_board_that_is_not_permitted_names_the_rule),
 		usb_test(a_board_in_use_is_named),
+		usb_test(a_driver_of_the_kernel_is_not_taken_for_a_program),
 		usb_test(another_device_with_the_same_ids_is_let_alone),
 		usb_test(a_board_that_is_none_is_refused),
 		usb_test(errors_of_libusb_are_told),
 		usb_test(a_serial_number_that_can_not_be_read_is_done_without),
 		usb_test(an_error_that_passes_does_not_matter),
 		usb_test(every_board_is_listed_with_what_it_is_or_why_not),
+		usb_test(boards_of_one_number_are_listed_by_their_ports),
 		usb_test(a_list_of_no_board_is_empty),
 		usb_test(a_name_that_is_no_text_is_made_one),
 		usb_test(auto_takes_the_model_without_a_board_and_says_nothing),

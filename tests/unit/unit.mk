@@ -47,7 +47,8 @@ endif
 # Boards on USB, on the libusb of tests/usb, whose fragment builds most of these.
 ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
-	test_transport_usb_wait test_transport_usb_out_of_memory test_process
+	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
+	test_transport_usb_out_of_memory test_process
 $(BUILD)/tests/unit/test_transport_usb_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
 ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
 UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
