@@ -185,6 +185,16 @@ struct drm_gloss_status {
 	__u32 response_words;
 };
 
+/**
+ * DRM_GLOSS_SUBMIT_EXPLICIT_SYNC - only in-syncs order the job
+ *
+ * The job does not wait for what other jobs, or other drivers, still do with its objects, and
+ * they do not wait for it. For programs that order all their jobs by syncobjs; what they
+ * share with others, by a dma-buf, they have to give fences to themselves. The clearing of
+ * new board memory is waited for in any case.
+ */
+#define DRM_GLOSS_SUBMIT_EXPLICIT_SYNC	(1 << 0)
+
 /* Most entries of in_syncs, and of out_syncs. */
 #define DRM_GLOSS_SYNCS_MAX	64
 
@@ -192,7 +202,8 @@ struct drm_gloss_status {
  * struct drm_gloss_submit - queue a job
  *
  * Jobs of one open file and priority run in the order of their submission, each when its
- * in-syncs and the fences of its objects' reservations have signalled. Nothing of a
+ * in-syncs and, without DRM_GLOSS_SUBMIT_EXPLICIT_SYNC, the fences of its objects'
+ * reservations have signalled. Nothing of a
  * job that is refused happens. Each range must be inside its host object.
  *
  * The first job that uses a host object pins its pages, and charges them to its open file.
@@ -205,7 +216,7 @@ struct drm_gloss_status {
  * board is gone; -ENOMEM; -EINTR.
  */
 struct drm_gloss_submit {
-	/** @flags: must be zero */
+	/** @flags: 0, or DRM_GLOSS_SUBMIT_EXPLICIT_SYNC */
 	__u32 flags;
 	/** @priority: enum drm_gloss_priority */
 	__u32 priority;

@@ -282,6 +282,7 @@ struct gloss_job {
 
 	ktime_t begun;			/* when the board was told of it */
 
+	bool explicit_sync;		/* DRM_GLOSS_SUBMIT_EXPLICIT_SYNC */
 	/* References, none twice; bit i of @writes: the job writes object i. */
 	struct drm_gem_object *object[GLOSS_JOB_OBJECTS];
 	unsigned int objects;

@@ -46,7 +46,7 @@ static int gloss_fdinfo_add(int handle, void *object, void *data)
 	region->resident += gloss_fdinfo_resident(gem);
 	if (gem->handle_count > 1)
 		region->shared += gem->size;
-	if (!dma_resv_test_signaled(gem->resv, dma_resv_usage_rw(true)))
+	if (!dma_resv_test_signaled(gem->resv, DMA_RESV_USAGE_BOOKKEEP))
 		region->active += gem->size;
 	return 0;
 }

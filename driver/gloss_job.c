@@ -93,20 +93,40 @@ int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool wri
 	return 0;
 }
 
+/* What the kernel itself does with an object comes before any job, such as its clearing. */
+static int gloss_job_depend_kernel(struct gloss_job *job, struct dma_resv *resv)
+{
+	struct dma_resv_iter cursor;
+	struct dma_fence *fence;
+	int ret;
+
+	dma_resv_for_each_fence(&cursor, resv, DMA_RESV_USAGE_KERNEL, fence) {
+		ret = drm_sched_job_add_dependency(&job->base, dma_fence_get(fence));
+		if (ret)
+			return ret;
+	}
+	return 0;
+}
+
+static int gloss_job_depend_on(struct gloss_job *job, unsigned int i)
+{
+	/* To clear an object comes before all else that may be queued for it. */
+	if (job->clears)
+		return 0;
+	if (job->explicit_sync)
+		return gloss_job_depend_kernel(job, job->object[i]->resv);
+	return drm_sched_job_add_implicit_dependencies(&job->base, job->object[i],
+						       job->writes & BIT(i));
+}
+
 static int gloss_job_depend(struct gloss_job *job)
 {
 	unsigned int i;
 	int ret;
 
 	for (i = 0; i < job->objects; i++) {
-		ret = dma_resv_reserve_fences(job->object[i]->resv, 1);
-		if (ret)
-			return ret;
-		/* To clear an object comes before all else that may be queued for it. */
-		if (job->clears)
-			continue;
-		ret = drm_sched_job_add_implicit_dependencies(&job->base, job->object[i],
-							      job->writes & BIT(i));
+		ret = dma_resv_reserve_fences(job->object[i]->resv, 1) ?:
+		      gloss_job_depend_on(job, i);
 		if (ret)
 			return ret;
 	}
@@ -137,6 +157,8 @@ static void gloss_job_add_fence(struct gloss_job *job, struct dma_fence *fence)
 
 		if (job->clears)
 			usage = DMA_RESV_USAGE_KERNEL;
+		else if (job->explicit_sync)
+			usage = DMA_RESV_USAGE_BOOKKEEP;
 		else if (job->writes & BIT(i))
 			usage = DMA_RESV_USAGE_WRITE;
 		dma_resv_add_fence(job->object[i]->resv, fence, usage);

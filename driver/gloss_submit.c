@@ -37,7 +37,7 @@ static int gloss_submit_check_strides(struct drm_device *drm, const struct drm_g
 
 static int gloss_submit_check_priority(struct drm_device *drm, const struct drm_gloss_submit *args)
 {
-	if (args->flags || args->priority >= GLOSS_PRIORITIES) {
+	if (args->flags & ~DRM_GLOSS_SUBMIT_EXPLICIT_SYNC || args->priority >= GLOSS_PRIORITIES) {
 		drm_dbg(drm, "flags %#x, priority %u\n", args->flags, args->priority);
 		return -EINVAL;
 	}
@@ -185,6 +185,7 @@ static int gloss_submit_slots(struct gloss_job *job, struct drm_file *file,
 static int gloss_submit_fill(struct gloss_job *job, struct drm_file *file,
 			     const struct drm_gloss_submit *args)
 {
+	job->explicit_sync = args->flags & DRM_GLOSS_SUBMIT_EXPLICIT_SYNC;
 	job->stream_words = args->stream_words;
 	job->response_words = args->response_words;
 	return gloss_submit_words(job, file, args->stream, args->stream_offset,

@@ -130,7 +130,7 @@ static void send_rows(const struct row *rows, size_t count)
 }
 
 static const struct row stream_rows[] = {
-	{ "flags 1", -EINVAL, { SET(submit.flags, 1) } },
+	{ "flags 2", -EINVAL, { SET(submit.flags, 2) } },
 	{ "flags, highest", -EINVAL, { SET(submit.flags, 1u << 31) } },
 	{ "priority 3", -EINVAL, { SET(submit.priority, 3) } },
 	{ "priority -1", -EINVAL, { SET(submit.priority, ~0u) } },
@@ -274,6 +274,7 @@ static const struct row sync_rows[] = {
 
 /* The last that are still right. */
 static const struct row right_rows[] = {
+	{ "explicit sync", 0, { SET(submit.flags, DRM_GLOSS_SUBMIT_EXPLICIT_SYNC) } },
 	{ "priority low", 0, { SET(submit.priority, DRM_GLOSS_PRIORITY_LOW) } },
 	{ "stream at its object's end", 0, { SET(submit.stream_words, NODE_PAGE / 4),
 		SET(submit.stream_offset, CLIENT_HOST_BYTES - NODE_PAGE) } },
