@@ -12,6 +12,11 @@ static const struct accel_light lamp = { .enabled = true, .position = { 0, 0, 1,
 					 .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
 					 .spot_cutoff = 180 };
 
+static void say(void *data, const char *message)
+{
+	fprintf(stderr, "%s: %s\n", (const char *)data, message);
+}
+
 int main(int argc, char **argv)
 {
 	const char *name = argc > 1 ? argv[1] : "auto";
@@ -21,7 +26,7 @@ int main(int argc, char **argv)
 	struct accel_state *state;
 	struct accel_draw *draw;
 
-	if (accel_device_new(name, NULL, NULL, &device) || accel_draw_new(device, &draw) ||
+	if (accel_device_new(name, say, argv[0], &device) || accel_draw_new(device, &draw) ||
 	    accel_target_new(device, 256, 256, &target) || accel_state_new(&state) ||
 	    accel_state_set_material(state, &gold, NULL) || accel_state_set_light(state, 0, &lamp))
 		return 1;
