@@ -97,6 +97,11 @@ install-lib: lib $(ACCEL_SIMS)
 		-e 's|@LIBS@|$(ACCEL_LIBS)|' libaccel/libaccel.pc.in \
 		>$(DESTDIR)$(LIBDIR)/pkgconfig/libaccel.pc
 	$(Q)$(if $(ACCEL_SIMS),install -m 755 $(ACCEL_SIMS) $(DESTDIR)$(LIBDIR)/gloss)
+# The loader finds a new library after ldconfig, which is root's to run, in the directories it knows.
+	$(if $(DESTDIR),,$(Q)PATH=$$PATH:/sbin; ldconfig 2>/dev/null; \
+		ldconfig -p | grep -qF '$(LIBDIR)/libaccel.so' || \
+		echo 'programs do not find libaccel.so yet: run ldconfig as root, or set' \
+			'LD_LIBRARY_PATH=$(LIBDIR)')
 INSTALLS += install-lib
 
 include tests/unit/unit.mk
