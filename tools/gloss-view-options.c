@@ -290,8 +290,8 @@ static bool show_help(struct view_options *options, const char *value)
 		printf("  %-20s %s\n", name, list[i].help);
 	}
 	printf("\nA COLOUR is #rrggbb, R,G,B or one number for grey, 0 to 1.\n"
-	       "Materials: %s.\nWithout --material it is " DEFAULT_MATERIAL ", or the\n"
-	       "colours of the mesh if it has any.\n\n"
+	       "Materials: %s.\nWithout --material it is the mesh's own\n"
+	       "colours, and " DEFAULT_MATERIAL " if it has none.\n\n"
 	       "A LIGHT is direction:X,Y,Z or point:X,Y,Z or spot:X,Y,Z. X is to the right, Y up,\n"
 	       "Z towards the eye, from the middle of the mesh, whose radius is 1. Settings may\n"
 	       "follow: :colour=COLOUR :ambient=COLOUR, for a point or spot :attenuation=C,L,Q,\n"

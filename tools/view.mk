@@ -34,6 +34,8 @@ install-view: $(BUILD)/gloss-view
 	$(call quiet,INSTALL,gloss-view)
 	$(Q)install -D -m 755 $(BUILD)/gloss-view $(DESTDIR)$(PREFIX)/bin/gloss-view
 	$(Q)install -D -m 644 tools/gloss-view.1 $(DESTDIR)$(PREFIX)/share/man/man1/gloss-view.1
+	$(Q)install -D -m 644 tools/gloss-view.bash \
+		$(DESTDIR)$(PREFIX)/share/bash-completion/completions/gloss-view
 
 INSTALLS += install-view
 LINT_C += $(VIEW_CFLAGS)

@@ -8,6 +8,7 @@ demo-run: $(BUILD)/gloss-view $(SIM_DIR)/accel-sim-t64-k8.so
 view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 	$(Q)tests/view/run $(abspath $<)
 	$(Q)tests/view/meshes $(abspath $<) $(MODELS)
+	$(Q)tests/view/completion $(abspath $<)
 
 # A test of the viewer's insides includes the file it is about.
 VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_shape test_phong \
