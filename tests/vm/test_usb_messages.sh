@@ -116,7 +116,7 @@ refused "$group" 'can not open device' usb: \
 as_user "$group" gloss-info --list
 grep -q '^usb:' "$work/out" && fail 'boards without a bus'
 echo "${host##*/}" >"$driver/bind"
-for _ in $(seq 100); do
+for _ in $(seq 600); do
 	as_user "$group" gloss-info --list
 	[ "$(grep -c '^usb:.*Gloss USB board' "$work/out")" -lt 2 ] || break
 	sleep 0.1

@@ -9,8 +9,8 @@
 
 enum {
 	INTERFACE = 1,
-	REQUEST_MS = 5000,
-	PLUG_MS = 10000,	/* to be found after it was plugged in */
+	REQUEST_MS = 60000,
+	PLUG_MS = 60000,	/* to be found after it was plugged in */
 	STEP_MS = 10,
 };
 
