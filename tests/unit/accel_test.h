@@ -48,6 +48,18 @@ static inline struct accel_device *device_open(const char *name, struct messages
 	return device;
 }
 
+/*
+ * For what has to happen: what takes longer hangs. So long that only a machine that is more than
+ * a hundred times slower than usual comes near; GLOSS_SLOW then says how many times more.
+ */
+static inline int test_patience_ms(void)
+{
+	const char *slow = getenv("GLOSS_SLOW");
+	int times = slow ? atoi(slow) : 1;
+
+	return 60000 * (times > 0 && times < 1000 ? times : 1);
+}
+
 /* GLOSS_SEED, or the time; printed, so that a failure can be repeated. */
 static inline uint64_t test_seed(void)
 {

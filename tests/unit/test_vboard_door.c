@@ -74,7 +74,7 @@ static uint64_t take_answer(void)
 {
 	uint64_t words[3];
 
-	assert_true(answer_comes(5000));
+	assert_true(answer_comes(test_patience_ms()));
 	assert_int_equal(recv(proxy, words, sizeof(words), MSG_WAITALL), sizeof(words));
 	assert_int_equal(words[0], VBOARD_RET);
 	assert_int_equal(words[1], 8);
@@ -397,7 +397,6 @@ static void a_reset_is_answered_though_qemu_takes_no_commands(void **state)
 	submit();
 	expect_pin(1, false);
 	ask(&reset);
-	assert_true(answer_comes(700));
 	take_answer();
 	test_qtest_answer(&qtest, "OK\n");
 	expect_pin(0, true);
@@ -457,12 +456,12 @@ static void a_delayed_doorbell_comes_in_time_or_before_a_request(void **state)
 	(void)state;
 	enable(true);
 	drive();
-	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 30000, 4);
+	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 1000, 4);
+	submit();
+	expect_msi();
+	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, UINT32_MAX, 4);
 	submit();
 	assert_false(test_qtest_has_more(&qtest, 5));
-	expect_msi();
-	bar_write(WINDOW + VBOARD_FAULT_DELAY_WRITES, 100000000, 4);
-	submit();
 	config_read(PCI_VENDOR_ID, 4);
 	expect_msi();
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Each fault does what the header says to a board that works, and no more. */
-#include <unistd.h>
-
 #include "board.h"
+#include "still_clock.h"
 #include "vboard_test.h"
 
 static struct test_host host;
@@ -159,10 +158,11 @@ static void a_delayed_write_waits_for_its_time(void **state)
 	(void)state;
 	arm(VBOARD_FAULT_DELAY_WRITES, 30000);
 	submit(1);
+	time_passes(29999);
 	work();
 	assert_int_equal(test_host_completed(&host, 0), 0);
 	assert_true(vboard_faults_due(&faults) != UINT64_MAX);
-	usleep(40000);
+	time_passes(1);
 	work();
 	assert_int_equal(test_host_completed(&host, 0), 100);
 	assert_int_equal(vboard_faults_due(&faults), UINT64_MAX);
@@ -339,9 +339,10 @@ static void a_slow_job_takes_its_time_and_the_board_answers(void **state)
 	assert_int_equal(get(GLOSS_REG_STATUS), GLOSS_REG_STATUS_RUNNING);
 	assert_int_equal(host.events, 0);
 	assert_true(vboard_faults_due(&faults) != UINT64_MAX);
+	time_passes(29999);
 	work();
 	assert_int_equal(head(), 0);
-	usleep(40000);
+	time_passes(1);
 	work();
 	assert_int_equal(head(), 1);
 	assert_int_equal(host.events, 1);

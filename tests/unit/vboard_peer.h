@@ -10,7 +10,6 @@
 #include "accel_test.h"
 
 #define PEER_ANSWERS 4096
-#define PEER_WAIT_MS 10000
 
 /* To a control or bulk transfer. */
 struct test_answer {
@@ -231,7 +230,7 @@ static inline bool peer_move(struct test_peer *peer, int ms)
 /* Until @condition holds; fails if that takes too long. */
 #define peer_until(peer, condition)                                                                \
 	do {                                                                                       \
-		int peer_left = PEER_WAIT_MS;                                                      \
+		int peer_left = test_patience_ms();                                                \
                                                                                                    \
 		while (!(condition)) {                                                             \
 			if (!peer_move(peer, 1) || !peer_left--)                                   \

@@ -6,6 +6,8 @@ view=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cases=0 failures=0
+# For what has to happen, in tenths of a second; GLOSS_SLOW: how many times slower this machine is.
+patience=$((600 * ${GLOSS_SLOW:-1}))
 unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
 
 fail() {
@@ -63,7 +65,7 @@ is_png() {
 # interrupt PID: until it ends, for it may not listen yet; leaves its status in status.
 interrupt() {
 	cases=$((cases + 1))
-	for _ in $(seq 300); do
+	for _ in $(seq "$patience"); do
 		kill -INT "$1" 2>/dev/null || break
 		sleep 0.1
 	done
