@@ -18,7 +18,8 @@ module board_pci #(
   input  logic [31:0]                  reg_wdata_i,
   output logic [31:0]                  reg_rdata_o,
   output logic                         irq_o,
-  output logic                         irq_event_o,
+  output logic                         msi_valid_o,
+  input  logic                         msi_ready_i,
 
   // AXI4 master to the host's memory
   output logic                         host_awvalid_o,
@@ -84,7 +85,7 @@ module board_pci #(
   ) u_port (
     .clk_i, .rst_ni, .memory_pages_i,
     .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
-    .irq_o, .irq_event_o,
+    .irq_o, .msi_valid_o, .msi_ready_i,
     .host_awvalid_o, .host_awready_i, .host_awaddr_o, .host_awlen_o,
     .host_wvalid_o, .host_wready_i, .host_wdata_o, .host_wstrb_o, .host_wlast_o,
     .host_bvalid_i, .host_bready_o, .host_bresp_i,

@@ -34,7 +34,8 @@ module port_pci #(
   input  logic [31:0]                  reg_wdata_i,
   output logic [31:0]                  reg_rdata_o,
   output logic                         irq_o,         // level
-  output logic                         irq_event_o,   // a pulse for each MSI that is due
+  output logic                         msi_valid_o,   // an MSI is due, until it is taken; it may be one for several
+  input  logic                         msi_ready_i,   // events
 
   // host AXI4 master
   output logic                         host_awvalid_o,
@@ -189,7 +190,7 @@ module port_pci #(
   port_pci_registers u_pci_registers (
     .clk_i, .core_rst_ni(core_rst_n),
     .write_i(reg_write), .address_i(reg_address), .wdata_i(reg_wdata_i), .rdata_o(reg_own),
-    .resetting_i(resetting), .irq_o, .irq_event_o,
+    .resetting_i(resetting), .irq_o, .msi_valid_o, .msi_ready_i,
     .enable_o(enable), .ring_o(ring), .ring_log2_o(ring_log2), .tail_o(tail), .head_i(head),
     .records_o(records), .done_i(done), .fault_i(fault),
     .dma_error_i(dma_error), .dma_event_i(dma_event), .dma_address_i(dma_address)

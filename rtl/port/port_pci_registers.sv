@@ -12,7 +12,8 @@ module port_pci_registers (
   input  logic        resetting_i,
 
   output logic        irq_o,
-  output logic        irq_event_o,
+  output logic        msi_valid_o,
+  input  logic        msi_ready_i,
 
   // ring
   output logic        enable_o,
@@ -85,6 +86,8 @@ module port_pci_registers (
   end
 
   // ---- events ----
+  // A message that waits stands for what happens meanwhile, too. What happens in the clock in which it is taken has
+  // the next one: the driver may be looking at the registers already.
   assign events = resetting_i ? '0 : {dma_event_i, fault_i, done_i};
   assign cleared = write_i && address_i == gloss_pkg::REG_INTERRUPT_STATUS ? wdata_i[2:0] : '0;
   assign irq_o = (events_q & mask_q) != '0;
@@ -92,10 +95,10 @@ module port_pci_registers (
   always_ff @(posedge clk_i or negedge core_rst_ni) begin
     if (!core_rst_ni) begin
       events_q <= '0;
-      irq_event_o <= 1'b0;
+      msi_valid_o <= 1'b0;
     end else begin
       events_q <= (events_q & ~cleared) | events;
-      irq_event_o <= (events & mask_q) != '0;
+      msi_valid_o <= (events & mask_q) != '0 || (msi_valid_o && !msi_ready_i);
     end
   end
 

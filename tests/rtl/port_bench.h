@@ -200,8 +200,9 @@ public:
 		host.drive(top, clocks);
 		core.drive(top);
 		drive_access();
+		top.msi_ready_i = !bridge_waits;
 		settle();
-		if (top.irq_event_o)
+		if (top.msi_valid_o && top.msi_ready_i)
 			message();
 		sample_access();
 		host.sample(top, clocks);
@@ -231,9 +232,11 @@ public:
 	uint32_t entries = 1, tail = 0, head = 0;
 	uint32_t progress = 0, finished = 0;	/* as the registers must have it */
 	uint64_t time[6] = {}, message_clock = 0;
+	bool bridge_waits = false;		/* before it takes a message, */
+	uint32_t message_jobs = 1;		/* which is for so many */
 
 private:
-	/* At this clock the job at the head has ended, with all its effects. */
+	/* At this clock the job at the head has ended, or those that a message waited for, with all their effects. */
 	void message()
 	{
 		messages++;
@@ -242,10 +245,12 @@ private:
 			TB_CHECK(!host.refusals.empty(), "a message of nothing");
 			return;
 		}
-		TB_CHECK(!jobs.empty(), "a message too many");
-		check(jobs.front());
-		jobs.pop_front();
-		head++;
+		for (uint32_t n = 0; n < message_jobs; n++) {
+			TB_CHECK(!jobs.empty(), "a message too many");
+			check(jobs.front());
+			jobs.pop_front();
+			head++;
+		}
 	}
 
 	void check(const PortJob &job)

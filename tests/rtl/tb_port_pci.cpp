@@ -238,6 +238,55 @@ static void an_event_goes_before_its_clearing(PortBench &bench)
 	TB_CHECK(together > 0, "no event met its clearing");
 }
 
+/*
+ * A message that its bridge has not taken waits, and is for what happens meanwhile, too. What happens
+ * in the very clock in which it is taken has a message of its own.
+ */
+static void a_message_waits_for_its_bridge(PortBench &bench)
+{
+	int together = 0, span = 0;
+
+	for (int n = 0; n < 70; n++) {
+		uint64_t messages, start;
+
+		bench.kind(5);
+		bench.start(2, done);
+		messages = bench.messages;
+		bench.bridge_waits = true;
+		bench.submit(bench.job(1, 0));
+		while (!bench.top.irq_o)
+			bench.clock();
+		bench.write(GLOSS_REG_INTERRUPT_STATUS, done);
+		TB_CHECK(!bench.top.irq_o && bench.top.msi_valid_o, "a message does not wait");
+
+		bench.submit(bench.job(1, 0));
+		start = bench.clocks;
+		for (int wait = span - 3 + n % 7; n && wait > 0 && !bench.top.irq_o; wait--)
+			bench.clock();
+		if (n && !bench.top.irq_o) {
+			bench.bridge_waits = false;
+			bench.clock();
+			bench.bridge_waits = true;
+			together += bench.top.irq_o;
+		}
+		while (!bench.top.irq_o)
+			bench.clock();
+		if (!n)
+			span = bench.clocks - start;
+		TB_CHECK(bench.top.msi_valid_o, "no message of the second job");
+
+		bench.message_jobs = bench.jobs.size();
+		bench.bridge_waits = false;
+		bench.clock();
+		bench.message_jobs = 1;
+		for (int after = 0; after < 50; after++)
+			bench.clock();
+		TB_CHECK(bench.jobs.empty() && bench.messages - messages <= 2 && !bench.top.msi_valid_o,
+			 "%" PRIu64 " messages of two jobs", bench.messages - messages);
+	}
+	TB_CHECK(together > 0, "no job ended as the message of another was taken");
+}
+
 /* After a DMA error: what the registers say of the job that was next to end, and that all is still. */
 static void check_error(PortBench &bench, const std::deque<PortJob> &jobs, uint32_t ended)
 {
@@ -446,6 +495,7 @@ int main(int argc, char **argv)
 	a_disabled_board_ends_what_it_runs(bench);
 	interrupts_follow_mask_and_status(bench);
 	an_event_goes_before_its_clearing(bench);
+	a_message_waits_for_its_bridge(bench);
 	any_access_may_be_refused(bench);
 	reset_at_any_time(bench, 3 * rounds);
 	insane_descriptors(bench, rounds);

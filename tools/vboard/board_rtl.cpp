@@ -16,6 +16,7 @@ public:
 	gloss_board(const gloss_board_host *host, void *memory, uint64_t size)
 		: BoardSim(memory, size), host_(host), dma_(host)
 	{
+		board_.msi_ready_i = 1;
 		reset();
 	}
 
@@ -57,7 +58,7 @@ private:
 			level_ = board_.irq_o;
 			host_->level(host_->data, level_);
 		}
-		if (board_.irq_event_o)
+		if (board_.msi_valid_o)
 			host_->event(host_->data);
 	}
 
