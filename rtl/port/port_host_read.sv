@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The host's read channels shared by those who read, the first of them first. They take their beats at once, so that
-// nobody waits behind another; who a burst is for, and its address, is remembered until its last beat.
+// nobody waits behind another; who a burst is for, and its address, is remembered until its last beat. While an address
+// waits it may give way to one of an earlier reader, or be taken back: AXI does not allow that, so a register that takes
+// addresses has to follow, as in port_gate.
 module port_host_read #(
   parameter int unsigned StreamBits = 32,
   parameter int unsigned Readers = 2,

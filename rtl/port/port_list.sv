@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a list of pages in host memory, entry by entry, up to two ahead of who takes them: a page lasts longer than a
-// read takes, so that one entry at a time is enough.
+// read takes, so that one entry at a time is enough. Addresses are multiples of a beat, which may have two entries.
 module port_list #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -36,7 +36,7 @@ module port_list #(
   logic pages_valid;
 
   assign read_valid_o = left_q != '0 && wanted_i && !asked_q && room && !stop_i;
-  assign read_address_o = address_q;
+  assign read_address_o = StreamBits == 128 ? {address_q[63:4], 1'b0} : address_q;
   assign idle_o = left_q == '0 && !asked_q;
   assign quiet_o = !asked_q && !read_valid_o;
   assign empty_o = idle_o && !pages_valid;

@@ -13,8 +13,8 @@
 //
 // At the host: a descriptor is one burst, a slot table four of 64 bytes, a list entry one of 8 bytes, pages are read and
 // written in bursts that end on a multiple of 256 bytes or with the job, a completion is one. INCR, no IDs, answers in
-// order, nothing crosses 4 KiB. Addresses are those of the first byte, data are in its lanes of full-width beats: an
-// 8-byte entry may be in the upper lanes.
+// order, nothing crosses 4 KiB. Beats are of the full width and addresses multiples of it: an 8-byte entry comes with the
+// one beside it where a beat has both.
 module port_pci #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

@@ -26,7 +26,8 @@ struct PortJob {
 
 	bool owns(uint64_t address) const
 	{
-		auto near = [address](uint64_t start) { return address - start < 4096; };
+		/* An entry of a list may come with the one before it. */
+		auto near = [address](uint64_t start) { return address + 8 - start < 4096 + 8; };
 
 		return std::any_of(starts.begin(), starts.end(), near);
 	}

@@ -177,6 +177,7 @@ private:
 		ar_length = top.host_arlen_o;
 		if (!top.host_arvalid_o || ar_waits)
 			return;
+		TB_CHECK(ar_address % beat_bytes == 0, "AR at %" PRIx64 " is not a multiple of a beat", ar_address);
 		reads.push_back(burst(ar_address, ar_length, clock));
 		bad_word = random.bits();
 	}
