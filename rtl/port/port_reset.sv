@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // CONTROL.reset: stops both AXI masters, holds the port and the core in reset until nothing of them is under way at the
 // host or in board memory, and lets go. Ends when those two have answered. Power-on comes in through the same door.
+// busy_o stays until rst_no is let go, so that nobody gives to what is still in reset.
 module port_reset (
   input  logic clk_i,
   input  logic rst_ni,
@@ -21,7 +22,7 @@ module port_reset (
   state_e state_d, state_q;
   logic rst_nq;
 
-  assign busy_o = state_q != Run;
+  assign busy_o = state_q != Run || !rst_nq;
   assign stop_o = state_q != Run;
   assign rst_no = rst_nq;
 
