@@ -8,7 +8,8 @@
 //
 // The next job's words wait in the FIFO while one runs. The bridge on the other side knows nothing of messages: it
 // turns words into transfers and back. in_flush_o with a word tells it to send what it has; what it holds is not the
-// port's. It may be an FT601, or a USB core that makes FIFOs of its endpoints.
+// port's. It has its own way to the registers, which does not wait for the channels; gloss.xml says what else it has to
+// do. A USB core that makes FIFOs of its endpoints is one; a FIFO chip that answers control transfers itself is none.
 //
 // CONTROL.reset resets all but the registers' access, and the core; whoever stands before the core's memory stops and
 // lets go as port_gate does (memory_*). From the clock after it was written until it reads 0 no word passes; one that
