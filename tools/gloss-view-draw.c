@@ -193,13 +193,15 @@ static uint64_t clocks(struct view *view)
 /* Copies the part of the target that is in the picture to its place. */
 static void copy_part(const struct view *view, uint32_t *pixels)
 {
-	int width = view->scene.width - view->scene.left, height = view->scene.height - view->scene.top;
+	const struct scene *scene = &view->scene;
+	const struct picture *part = &view->part;
+	int width = scene->width - scene->left, height = scene->height - scene->top;
 
-	width = width < view->part.width ? width : view->part.width;
-	height = height < view->part.height ? height : view->part.height;
+	width = width < part->width ? width : part->width;
+	height = height < part->height ? height : part->height;
 	for (int row = 0; row < height; row++)
-		memcpy(pixels + (size_t)(view->scene.top + row) * view->scene.width + view->scene.left,
-		       view->part.pixel + (size_t)row * view->part.width, width * sizeof(*pixels));
+		memcpy(pixels + (size_t)(scene->top + row) * scene->width + scene->left,
+		       part->pixel + (size_t)row * part->width, width * sizeof(*pixels));
 }
 
 /* Reads colour or depth of the whole target. */
@@ -263,10 +265,13 @@ int view_draw(struct view *view, enum accel_shading shading, struct picture *pic
 
 	device_reason_forget();
 	memset(&view->stats, 0, sizeof(view->stats));
-	for (scene->top = 0; scene->top < scene->height && !ret; scene->top += ACCEL_TARGET_SIZE_MAX)
-		for (scene->left = 0; scene->left < scene->width && !ret;
-		     scene->left += ACCEL_TARGET_SIZE_MAX)
+	for (int y = 0; y < scene->height && !ret; y += ACCEL_TARGET_SIZE_MAX) {
+		for (int x = 0; x < scene->width && !ret; x += ACCEL_TARGET_SIZE_MAX) {
+			scene->left = x;
+			scene->top = y;
 			ret = draw_part(view, shading, picture);
+		}
+	}
 	view->clocks = clocks(view) - before;
 	view->visible = count_visible(view);
 	return ret ? failed("drawing failed", view->options->device, ret) : VIEW_OK;

@@ -225,14 +225,15 @@ static const struct view_option {
 	const char *hint;		/* what a value has to be */
 	bool (*set)(struct view_options *options, const char *value);
 } list[] = {
-	{ "device", "NAME", "board to draw on: drm:, usb:, model:, sim:, or auto (the default), the first of" NEXT
+	{ "device", "NAME",
+	  "board to draw on: drm:, usb:, model:, sim:, or auto (the default), the first of" NEXT
 	  "them that opens; gloss-info --list names the boards there are", "", set_device },
 	{ "size", "WxH", "pixels of the picture, each side up to 16384; 640x480 if not given",
 	  "give WIDTHxHEIGHT, each 1 to 16384", set_size },
 	{ "shading", "NAME", "gouraud, adaptive (the default), quadratic, flat",
 	  "give gouraud, adaptive, quadratic or flat", set_shading },
-	{ "material", "NAME", "a material of the list below, instead of the mesh's own colours", "see the list of gloss-view --help",
-	  set_material },
+	{ "material", "NAME", "a material of the list below, instead of the mesh's own colours",
+	  "see the list of gloss-view --help", set_material },
 	{ "ambient", "COLOUR", "ambient reflectance, instead of the material's", COLOUR_HINT,
 	  set_ambient },
 	{ "diffuse", "COLOUR", "diffuse reflectance", COLOUR_HINT, set_diffuse },
@@ -241,22 +242,26 @@ static const struct view_option {
 	{ "light", "LIGHT", "a light, up to 8 times; see below",
 	  "give KIND:X,Y,Z[:SETTING=VALUE]..., at most 8 times; see gloss-view --help", set_light },
 	{ "two-sided", NULL, "draw back faces too, lit from behind", "", set_two_sided },
-	{ "crease", "DEGREES", "where a file has no normals, edges at which faces meet at more are sharp;" NEXT
+	{ "crease", "DEGREES",
+	  "where a file has no normals, edges at which faces meet at more are sharp;" NEXT
 	  "30 if not given", "give degrees from 0 to 180", set_crease },
-	{ "smooth", NULL, "no sharp edges, also where the file has its own normals", "", set_smooth },
-	{ "facets", NULL, "all edges sharp, also where the file has its own normals", "", set_facets },
+	{ "smooth", NULL, "no sharp edges, also where the file has its own normals", "",
+	  set_smooth },
+	{ "facets", NULL, "all edges sharp, also where the file has its own normals", "",
+	  set_facets },
 	{ "up", "AXIS", "what is up in the mesh: x, y (the default), z, -x, -y or -z",
 	  "give x, y, z, -x, -y or -z", set_up },
 	{ "rotate", "X,Y,Z", "turn the mesh about its axes, degrees",
 	  "give three numbers of degrees", set_rotate },
 	{ "camera", "RIGHT,UP", "move the eye around the mesh, degrees; 30,20 if not given",
 	  "give two numbers of degrees", set_camera },
-	{ "zoom", "FACTOR", "enlarge; 1 fits the mesh to the picture", "give a factor from 0.01 to 100",
-	  set_zoom },
+	{ "zoom", "FACTOR", "enlarge; 1 fits the mesh to the picture",
+	  "give a factor from 0.01 to 100", set_zoom },
 	{ "fov", "DEGREES", "angle of view from bottom to top, 30 if not given; 0: no perspective",
 	  "give 0, or degrees from 1 to 120", set_fov },
 	{ "background", "COLOUR", "colour where the mesh is not", COLOUR_HINT, set_background },
-	{ "out", "FILE", "write the picture, as PNG or PPM by the ending of FILE; - is standard output",
+	{ "out", "FILE",
+	  "write the picture, as PNG or PPM by the ending of FILE; - is standard output",
 	  "give a name that ends in .png or .ppm, or -", set_out },
 	{ "turntable", "N", "write N numbered pictures of one turn, FILE-0000.png and so on",
 	  "give a number of frames from 1 to 9999", set_turntable },
@@ -266,7 +271,8 @@ static const struct view_option {
 	  "give a name that ends in .png or .ppm", set_compare },
 	{ "stats", NULL, "print what was drawn, and clocks where the board counts them", "",
 	  set_stats },
-	{ "window", NULL, "show the mesh; drag to turn, with the right button to move, wheel to zoom," NEXT
+	{ "window", NULL,
+	  "show the mesh; drag to turn, with the right button to move, wheel to zoom," NEXT
 	  "arrows to fly and look, g a q f to shade, t both sides, s to save a picture," NEXT
 	  "r as at the beginning, Esc to leave", "", set_window },
 	{ "help", NULL, "print this and leave; -h too, and -o for --out", "", show_help },

@@ -81,7 +81,7 @@ bool view_numbers(const char *text, int count, float low, float high, float *val
 /* "#rrggbb", "R,G,B" or "GREY", 0 to 1; sets alpha to 1. */
 bool view_colour(const char *text, float rgba[4]);
 
-/* gloss-view-camera.c: places the eye so that the mesh fits the picture, from all sides if it turns. */
+/* gloss-view-camera.c: places the eye so that the mesh fits the picture; also while it turns. */
 void view_camera_frame(struct view *view);
 /* Sets the scene's matrices and lights; @turn degrees more about y. */
 void view_camera_set(struct view *view, float turn);

@@ -262,8 +262,10 @@ int child_run(child_fn load, const char *path, const struct mesh_options *option
 	}
 	close(pipe[1]);
 	child.alive = pipe[0];
-	ret = child.pid < 0 ? out_of_memory(path, message) :
-			      collect(&child, wait_for(&child, options), path, limits, mesh, message);
+	if (child.pid < 0)
+		ret = out_of_memory(path, message);
+	else
+		ret = collect(&child, wait_for(&child, options), path, limits, mesh, message);
 	close(pipe[0]);
 	finish(&child);
 	return ret;

@@ -75,10 +75,10 @@ static struct aiColor4D material_colour(const struct part *part)
 {
 	struct aiColor4D colour;
 
-	if (part->material &&
-	    (aiGetMaterialColor(part->material, AI_MATKEY_BASE_COLOR, &colour) == aiReturn_SUCCESS ||
-	     aiGetMaterialColor(part->material, AI_MATKEY_COLOR_DIFFUSE, &colour) ==
-		     aiReturn_SUCCESS))
+	if (!part->material)
+		return white;
+	if (!aiGetMaterialColor(part->material, AI_MATKEY_BASE_COLOR, &colour) ||
+	    !aiGetMaterialColor(part->material, AI_MATKEY_COLOR_DIFFUSE, &colour))
 		return colour;
 	return white;
 }

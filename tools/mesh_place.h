@@ -12,7 +12,7 @@
  */
 struct places {
 	uint32_t *place;		/* of each vertex */
-	uint32_t *first;		/* place p has corner[first[p]] to corner[first[p + 1] - 1] */
+	uint32_t *first;		/* of place p: corner[first[p]] to, without, first[p + 1] */
 	uint32_t *corner;
 	uint32_t most;			/* corners of one place, at least 1 */
 };

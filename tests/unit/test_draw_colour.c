@@ -45,9 +45,9 @@ static int teardown(void **state)
 static void draw(struct fixture *f, uint32_t *pixel)
 {
 	const float black[4] = { 0 };
+	const unsigned int both = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH;
 
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, black, 1),
-			 0);
+	assert_int_equal(accel_draw_clear(f->draw, both, black, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &f->shape.mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
 	assert_int_equal(accel_target_read_colour(f->target, pixel, SIDE * 4), 0);

@@ -93,8 +93,11 @@ static void good_normals_are_kept_beside_bad_ones(void **state)
 			  "o b\nv 0 0 1\nv 1 0 1\nv 0 1 1\nvn 0 0.6 0.8\nf 4//2 5//2 6//2\n",
 		  &mesh);
 	assert_int_equal(mesh.vertices, 6);
-	for (uint32_t i = 0; i < 6; i++)
-		assert_true(fabsf(mesh.normal[i][1] - (mesh.position[i][2] > 0 ? 0.6f : 0)) < 1e-6f);
+	for (uint32_t i = 0; i < 6; i++) {
+		float wanted = mesh.position[i][2] > 0 ? 0.6f : 0;
+
+		assert_true(fabsf(mesh.normal[i][1] - wanted) < 1e-6f);
+	}
 	mesh_free(&mesh);
 }
 
@@ -141,7 +144,8 @@ static void base_colours_of_gltf_are_those_of_the_mesh(void **state)
 		  "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
 		  "\"nodes\":[{\"mesh\":0}],\"materials\":[{\"pbrMetallicRoughness\":"
 		  "{\"baseColorFactor\":[0.5,0,1,1]}}],"
-		  "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}],"
+		  "\"meshes\":[{\"primitives\":["
+		  "{\"attributes\":{\"POSITION\":0},\"material\":0}]}],"
 		  "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
 		  "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
 		  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"

@@ -164,7 +164,9 @@ static void what_is_up_in_the_mesh_is_up_in_the_picture(void **state)
 	static const struct {
 		float upright[2], up[3];
 	} axes[] = {
-		{ { 0, 90 }, { 5, 2, 3 } }, { { -90, 0 }, { 1, 2, 4 } }, { { 0, 180 }, { 1, -1, 3 } },
+		{ { 0, 90 }, { 5, 2, 3 } },
+		{ { -90, 0 }, { 1, 2, 4 } },
+		{ { 0, 180 }, { 1, -1, 3 } },
 	};
 	struct view_options options;
 	struct view view;
