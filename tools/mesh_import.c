@@ -143,7 +143,8 @@ static int refuse(char message[MESH_MESSAGE], int error, const char *what, const
 
 static int out_of_memory(const char *path, char message[MESH_MESSAGE])
 {
-	return refuse(message, -ENOMEM, "out of memory", path, "give a smaller mesh");
+	return refuse(message, -ENOMEM, "out of memory", path,
+		      "give a smaller mesh; if it is small, the file is damaged");
 }
 
 /* The C++ library's names for more memory than there is. */
@@ -162,12 +163,14 @@ static bool wants_memory(const char *reason)
 
 static int not_read(const char *path, char message[MESH_MESSAGE])
 {
-	char reason[REASON], hint[REASON + sizeof("; " FORMATS)];
+	char reason[REASON], hint[REASON + sizeof("; repair or convert the file")];
 
 	tidy(reason, aiGetErrorString());
 	if (wants_memory(reason))
 		return out_of_memory(path, message);
-	snprintf(hint, sizeof(hint), "%s%s" FORMATS, reason, *reason ? "; " : "");
+	if (!*reason || strstr(reason, "suitable reader"))
+		return refuse(message, -EINVAL, "not a mesh", path, FORMATS);
+	snprintf(hint, sizeof(hint), "%s; repair or convert the file", reason);
 	return refuse(message, -EINVAL, "not a mesh", path, hint);
 }
 
