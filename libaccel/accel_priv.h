@@ -91,6 +91,9 @@ int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_
 
 /* stream.c */
 struct accel_device *accel_stream_device(const struct accel_stream *stream);
+/* Appends words as accel_stream_emit does, which are not copied: they are lent until the stream is
+ * sent or reset. accel_stream_words does not show them. */
+int accel_stream_lend(struct accel_stream *stream, const uint32_t *words, size_t count);
 /* Sends the stream as a job more of @fence, as accel_stream_submit does. */
 int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
 		      struct accel_fence *fence);

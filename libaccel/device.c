@@ -21,15 +21,6 @@ static const struct accel_transport_ops *const transports[] = {
 
 /* ---- messages ---- */
 
-void accel_transport_say(struct accel_transport_error *error, const char *format, ...)
-{
-	va_list arguments;
-
-	va_start(arguments, format);
-	vsnprintf(error->text, sizeof(error->text), format, arguments);
-	va_end(arguments);
-}
-
 void accel_device_message(struct accel_device *device, const char *format, ...)
 {
 	va_list arguments;

@@ -167,7 +167,7 @@ static uint32_t *engine_copy(const struct accel_transport_job *from)
 		return NULL;
 	stream = malloc(bytes);
 	if (stream)
-		memcpy(stream, from->stream, bytes);
+		accel_transport_copy(from, stream);
 	return stream;
 }
 

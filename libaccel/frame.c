@@ -25,6 +25,13 @@ static int put(struct writer *writer, const uint32_t *words, uint32_t count)
 	return accel_stream_emit(writer->stream, words, count);
 }
 
+/* The bins stay as they are until the frame was sent, so their words go from there to the board. */
+static int lend(struct writer *writer, const uint32_t *words, uint32_t count)
+{
+	writer->words += count;
+	return accel_stream_lend(writer->stream, words, count);
+}
+
 /* Every job starts from the same state, without surfaces. */
 static int job_begin(struct writer *writer)
 {
@@ -89,7 +96,7 @@ static int tile_records(struct writer *writer, const struct accel_tile *tile)
 	int err = put(writer, words, count);
 
 	for (chunk = tile->chunk; chunk && !err; chunk = chunk->next)
-		err = put(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
+		err = lend(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
 	writer->now = tile->now;
 	return err;
 }

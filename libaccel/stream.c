@@ -7,11 +7,18 @@
 #include "thread.h"
 
 #define STREAM_ROOM_FIRST 1024u
+#define PARTS_ROOM_FIRST 64u
+#define NOWHERE ((size_t)-1)
 
 struct accel_stream {
 	struct accel_device *device;
-	uint32_t *words;
+	uint32_t *words;		/* its own */
 	size_t count, room;
+	/* What it consists of if some words are lent; with NULL the next of its own. */
+	struct accel_transport_part *part;
+	size_t parts, parts_room;
+	size_t in_parts;		/* of its own words */
+	size_t lent;			/* words */
 	struct accel_buffer *buffer[GLOSS_SLOTS];	/* a reference each */
 	unsigned int rights[GLOSS_SLOTS];
 	unsigned int slots;
@@ -39,24 +46,32 @@ void accel_stream_free(struct accel_stream *stream)
 		return;
 	accel_stream_reset(stream);
 	accel_device_unref(stream->device);
+	free(stream->part);
 	free(stream->words);
 	free(stream);
 }
 
-void accel_stream_reset(struct accel_stream *stream)
+/* Of words, and of slots whose buffers somebody else has now. */
+static void stream_empty(struct accel_stream *stream)
 {
-	stream->count = 0;
-	while (stream->slots)
-		accel_buffer_unref(stream->buffer[--stream->slots]);
+	stream->count = stream->parts = stream->in_parts = stream->lent = 0;
+	stream->slots = 0;
 }
 
-/* The place of @words in those of the stream; (size_t)-1: they are not among them. */
+void accel_stream_reset(struct accel_stream *stream)
+{
+	while (stream->slots)
+		accel_buffer_unref(stream->buffer[--stream->slots]);
+	stream_empty(stream);
+}
+
+/* The place of @words in those of the stream; NOWHERE: they are not among them. */
 static size_t stream_place(const struct accel_stream *stream, const uint32_t *words)
 {
 	uintptr_t from = (uintptr_t)stream->words, at = (uintptr_t)words;
 
 	if (!from || at < from || at >= from + stream->count * sizeof(*words))
-		return (size_t)-1;
+		return NOWHERE;
 	return (at - from) / sizeof(*words);
 }
 
@@ -78,6 +93,15 @@ static int stream_reserve(struct accel_stream *stream, size_t count)
 	return 0;
 }
 
+static int stream_check(const struct accel_stream *stream, size_t count)
+{
+	if (count <= ACCEL_STREAM_WORDS_MAX - stream->count - stream->lent)
+		return 0;
+	accel_device_message(stream->device, "a stream of more than %u words",
+			     ACCEL_STREAM_WORDS_MAX);
+	return -E2BIG;
+}
+
 int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t count)
 {
 	size_t place = stream_place(stream, words);
@@ -85,19 +109,90 @@ int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t
 
 	if (!count)
 		return 0;
-	if (count > ACCEL_STREAM_WORDS_MAX - stream->count) {
-		accel_device_message(stream->device, "a stream of more than %u words",
-				     ACCEL_STREAM_WORDS_MAX);
-		return -E2BIG;
-	}
-	err = stream_reserve(stream, stream->count + count);
+	err = stream_check(stream, count);
+	if (!err)
+		err = stream_reserve(stream, stream->count + count);
 	if (err)
 		return err;
-	if (place != (size_t)-1)
+	if (place != NOWHERE)
 		words = stream->words + place;
 	memcpy(stream->words + stream->count, words, count * sizeof(*words));
 	stream->count += count;
 	return 0;
+}
+
+/* Room for @count parts in all. */
+static int stream_reserve_parts(struct accel_stream *stream, size_t count)
+{
+	size_t room = stream->parts_room ? stream->parts_room : PARTS_ROOM_FIRST;
+	struct accel_transport_part *part;
+
+	if (count <= stream->parts_room)
+		return 0;
+	while (room < count)
+		room *= 2;
+	part = realloc(stream->part, room * sizeof(*part));
+	if (!part)
+		return -ENOMEM;
+	stream->part = part;
+	stream->parts_room = room;
+	return 0;
+}
+
+/* Those of its own words that are in no part are one, and the last. There is room. */
+static void stream_part_own(struct accel_stream *stream)
+{
+	if (stream->count == stream->in_parts)
+		return;
+	stream->part[stream->parts++] = (struct accel_transport_part){
+		.count = stream->count - stream->in_parts,
+	};
+	stream->in_parts = stream->count;
+}
+
+int accel_stream_lend(struct accel_stream *stream, const uint32_t *words, size_t count)
+{
+	int err;
+
+	if (!count)
+		return 0;
+	err = stream_check(stream, count);
+	/* With its own words before and after them. */
+	if (!err)
+		err = stream_reserve_parts(stream, stream->parts + 3);
+	if (err)
+		return err;
+	stream_part_own(stream);
+	stream->part[stream->parts++] = (struct accel_transport_part){ words, count };
+	stream->lent += count;
+	return 0;
+}
+
+/* While its own words do not move. NULL: it is not in parts. */
+static const struct accel_transport_part *stream_parts(struct accel_stream *stream)
+{
+	const uint32_t *own = stream->words;
+	size_t i;
+
+	if (!stream->lent)
+		return NULL;
+	stream_part_own(stream);
+	for (i = 0; i < stream->parts; i++)
+		if (!stream->part[i].words) {
+			stream->part[i].words = own;
+			own += stream->part[i].count;
+		}
+	return stream->part;
+}
+
+/* When they may move again. */
+static void stream_forget_places(struct accel_stream *stream)
+{
+	size_t i;
+
+	for (i = 0; i < stream->parts; i++)
+		if (stream_place(stream, stream->part[i].words) != NOWHERE)
+			stream->part[i].words = NULL;
 }
 
 static unsigned int stream_find(const struct accel_stream *stream,
@@ -143,13 +238,14 @@ const uint32_t *accel_stream_words(const struct accel_stream *stream, size_t *co
 	return stream->words;
 }
 
-static int stream_start(const struct accel_stream *stream, uint32_t *response,
+static int stream_start(struct accel_stream *stream, uint32_t *response,
 			uint32_t response_words, uint64_t *sequence)
 {
 	struct accel_transport_slot slot[GLOSS_SLOTS];
 	const struct accel_transport_job job = {
-		.stream = stream->words,
-		.stream_words = (uint32_t)stream->count,
+		.stream = stream->lent ? NULL : stream->words,
+		.part = stream_parts(stream),
+		.stream_words = (uint32_t)(stream->count + stream->lent),
 		.response = response,
 		.response_words = response_words,
 		.slot = slot,
@@ -202,13 +298,13 @@ int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t 
 	stream_wait_for_room(stream);
 	err = stream_start(stream, response, response_words, &sequence);
 	if (err) {
+		stream_forget_places(stream);
 		accel_device_message(stream->device, "a job was not taken: %s",
 				     accel_device_why(stream->device, err));
 		return err;
 	}
 	accel_fence_add(fence, sequence, stream->buffer, stream->slots);
-	stream->slots = 0;
-	stream->count = 0;
+	stream_empty(stream);
 	return 0;
 }
 

@@ -13,6 +13,7 @@
 #ifndef ACCEL_TRANSPORT_H
 #define ACCEL_TRANSPORT_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "accel.h"
@@ -33,9 +34,16 @@ struct accel_transport_slot {
 	enum gloss_rights rights;
 };
 
+/* Words of a stream that lie together. */
+struct accel_transport_part {
+	const uint32_t *words;
+	size_t count;
+};
+
 /* A job in the library's terms; see struct gloss_job. */
 struct accel_transport_job {
-	const uint32_t *stream;
+	const uint32_t *stream;		/* NULL: it is in parts */
+	const struct accel_transport_part *part;	/* as many as have stream_words together */
 	uint32_t stream_words;
 	uint32_t *response;
 	uint32_t response_words;
@@ -51,6 +59,9 @@ struct accel_transport_error {
 /* Formats @error's text; cut off if it is too long. */
 void accel_transport_say(struct accel_transport_error *error, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
+
+/* Copies the stream of @job, the only time that this is done, to where the board has it from. */
+void accel_transport_copy(const struct accel_transport_job *job, uint32_t *to);
 
 struct accel_transport_ops {
 	/* Scheme of device names, without the colon: "model". */

@@ -237,9 +237,7 @@ static void drm_job_fill(const struct drm_job *job, const struct accel_transport
 	uint8_t *map = job->buffer->map;
 
 	memcpy(map + STATUS_OFFSET, &lost, sizeof(lost));
-	if (from->stream_words)
-		memcpy(map + STREAM_OFFSET, from->stream,
-		       (size_t)from->stream_words * sizeof(uint32_t));
+	accel_transport_copy(from, (uint32_t *)(void *)(map + STREAM_OFFSET));
 }
 
 static int drm_job_new(struct transport_drm *transport, const struct accel_transport_job *from,

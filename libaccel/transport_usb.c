@@ -388,9 +388,7 @@ static int transport_usb_submit(void *state, const struct accel_transport_job *f
 	if (!job)
 		return -ENOMEM;
 	err = usb_fill_slots(transport, from, words);
-	if (from->stream_words)
-		memcpy(words + (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS, from->stream,
-		       (size_t)from->stream_words * sizeof(uint32_t));
+	accel_transport_copy(from, words + (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS);
 	usb_job_finish(job);
 	if (!err)
 		err = usb_job_submit(transport, job, from, sequence);

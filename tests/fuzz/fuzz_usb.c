@@ -5,7 +5,6 @@
  * honest board (the C model) between whose words, registers and descriptors the input puts others.
  */
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,16 +37,6 @@ static void check(bool condition)
 {
 	if (!condition)
 		abort();
-}
-
-/* In place of the library's, which would take all transports with it. */
-void accel_transport_say(struct accel_transport_error *error, const char *format, ...)
-{
-	va_list arguments;
-
-	va_start(arguments, format);
-	vsnprintf(error->text, sizeof(error->text), format, arguments);
-	va_end(arguments);
 }
 
 /* ---- the input: zeros behind its end ---- */

@@ -2,8 +2,8 @@
 # Hostile boards on USB: the whole of "usb:" on the libusb of tests/usb, and its parser alone.
 
 # What is to be looked into, and what makes up its world, which the fuzzer need not see.
-FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/job_table.c \
-	libaccel/range.c libaccel/thread.c
+FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/transport.c \
+	libaccel/job_table.c libaccel/range.c libaccel/thread.c
 FUZZ_USB_WORLD := $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
 	$(addprefix tools/vboard/,port_base.c board_engine.c port_usb.c board_usb_model.c)
 FUZZ_USB_WORLD_OBJS := $(FUZZ_USB_WORLD:%.c=$(BUILD)/fuzz/world/%.o)

@@ -68,11 +68,16 @@ static uint32_t sent_words[65536];
 static uint32_t sent_count, sent_jobs;
 static uint32_t refused_job;		/* the one that there is no memory for, 0: none */
 static unsigned int waits;
+static const uint32_t *sent_part[16];	/* the first ones of the last job */
 
 static int spy_submit(void *state, const struct accel_transport_job *job, uint64_t *sequence)
 {
 	assert_true(sent_count + job->stream_words <= sizeof(sent_words) / sizeof(*sent_words));
-	memcpy(sent_words + sent_count, job->stream, job->stream_words * sizeof(*sent_words));
+	accel_transport_copy(job, sent_words + sent_count);
+	for (size_t i = 0, words = 0; job->part && i < 16 && words < job->stream_words; i++) {
+		sent_part[i] = job->part[i].words;
+		words += job->part[i].count;
+	}
 	if (sent_jobs + 1 == refused_job)
 		return -ENOMEM;
 	sent_count += job->stream_words;
@@ -396,6 +401,25 @@ static void a_frame_in_many_jobs_is_the_same_picture(void **state)
 	assert_memory_equal(depth[0], depth[1], sizeof(depth[0]));
 }
 
+/* A word is copied once: from where it was binned to where the board has it from. */
+static void records_are_sent_from_their_bins(void **state)
+{
+	struct fixture *f = *state;
+	const struct accel_chunk *chunk = NULL;
+	int found = 0;
+
+	set_state(f, ACCEL_COMPARE_ALWAYS, false, true);
+	draw_at(f, 5, 5, 20);
+	for (int i = 0; i < f->bin.columns * f->bin.rows; i++)
+		if (f->bin.tile[i].drawn)
+			chunk = f->bin.tile[i].chunk;
+	assert_non_null(chunk);
+	submit(f, ACCEL_JOB_WORDS);
+	for (int i = 0; i < 16; i++)
+		found += sent_part[i] == chunk->words;
+	assert_int_equal(found, 1);
+}
+
 static void memory_that_is_short_is_told_from_a_part_that_was_drawn(void **state)
 {
 	struct fixture *f = *state;
@@ -441,6 +465,7 @@ int main(void)
 		cmocka_unit_test_setup_teardown(many_records_keep_their_order, setup, teardown),
 		cmocka_unit_test_setup_teardown(a_frame_in_many_jobs_is_the_same_picture, setup,
 						teardown),
+		cmocka_unit_test_setup_teardown(records_are_sent_from_their_bins, setup, teardown),
 		cmocka_unit_test_setup_teardown(
 			memory_that_is_short_is_told_from_a_part_that_was_drawn, setup, teardown),
 	};

@@ -64,7 +64,7 @@ static void words_of_the_stream_itself_may_be_emitted(void **state)
 	size_t count = 3;
 
 	assert_int_equal(accel_stream_emit(fixture->stream, first, 3), 0);
-	while (count < 100000) {
+	while (count < 10000) {
 		all = accel_stream_words(fixture->stream, &count);
 		assert_int_equal(accel_stream_emit(fixture->stream, all, count), 0);
 		all = accel_stream_words(fixture->stream, &count);
@@ -73,6 +73,101 @@ static void words_of_the_stream_itself_may_be_emitted(void **state)
 	all = accel_stream_words(fixture->stream, &count);
 	for (size_t i = 0; i < count; i++)
 		assert_int_equal(all[i], 7 + i % 3);
+}
+
+/* What a job is, whatever of it was lent: @words in random pieces, of which some are. */
+static void emit_in_pieces(struct accel_stream *stream, uint64_t *seed, const uint32_t *words,
+			   uint32_t count)
+{
+	for (uint32_t at = 0, now; at < count; at += now) {
+		now = test_below(seed, 60);
+		if (now > count - at)
+			now = count - at;
+		if (test_below(seed, 3))
+			assert_int_equal(accel_stream_lend(stream, words + at, now), 0);
+		else
+			assert_int_equal(accel_stream_emit(stream, words + at, now), 0);
+	}
+}
+
+static void lent_words_are_sent_where_they_were_appended(void **state)
+{
+	static uint32_t words[3 + 1000], back[1000];
+	struct fixture *fixture = *state;
+	struct accel_buffer *buffer;
+	uint64_t seed = test_seed();
+
+	assert_int_equal(accel_buffer_new(fixture->device, sizeof(back), &buffer), 0);
+	gloss_write_memory_pack(words, &(struct gloss_write_memory){ .slot = 0 }, 2 + 1000);
+	for (int n = 0; n < 50; n++) {
+		for (uint32_t i = 0; i < 1000; i++)
+			words[3 + i] = (uint32_t)test_random(&seed);
+		accel_stream_slot(fixture->stream, buffer, ACCEL_SLOT_WRITE);
+		emit_in_pieces(fixture->stream, &seed, words, 3 + 1000);
+		assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, NULL), 0);
+		assert_int_equal(accel_buffer_read(buffer, 0, back, sizeof(back)), 0);
+		assert_memory_equal(back, words + 3, sizeof(back));
+	}
+	accel_buffer_free(buffer);
+}
+
+static int refuse(void *state, const struct accel_transport_job *job, uint64_t *sequence)
+{
+	(void)state;
+	(void)job;
+	(void)sequence;
+	return -ENOMEM;
+}
+
+/* Its own words may have moved by then. */
+static void a_stream_with_lent_words_may_be_sent_again(void **state)
+{
+	struct fixture *fixture = *state;
+	const struct accel_transport_ops *ops = fixture->device->ops;
+	struct accel_transport_ops refusing = *ops;
+	static const uint32_t nops[5000];
+	const uint32_t end = 0xff000000;
+	struct accel_fence_status status;
+	struct accel_fence *fence;
+
+	refusing.submit = refuse;
+	fixture->device->ops = &refusing;
+	assert_int_equal(accel_stream_emit(fixture->stream, nops, 2), 0);
+	assert_int_equal(accel_stream_lend(fixture->stream, nops, 3), 0);
+	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), -ENOMEM);
+	assert_int_equal(accel_stream_emit(fixture->stream, nops, 5000), 0);
+	assert_int_equal(accel_stream_emit(fixture->stream, &end, 1), 0);
+	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), -ENOMEM);
+	fixture->device->ops = ops;
+	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(status.fault, GLOSS_FAULT_OPCODE);
+	assert_int_equal(status.offset, 5005);
+	accel_fence_free(fence);
+}
+
+static void lent_words_count_and_are_forgotten(void **state)
+{
+	struct fixture *fixture = *state;
+	uint32_t nops[3] = { 0, 0, 0xff000000 };
+	struct accel_fence_status status;
+	struct accel_fence *fence;
+	size_t count;
+
+	assert_int_equal(accel_stream_lend(fixture->stream, nops, 3), 0);
+	assert_int_equal(accel_stream_lend(fixture->stream, nops, ACCEL_STREAM_WORDS_MAX - 2),
+			 -E2BIG);
+	assert_int_equal(accel_stream_emit(fixture->stream, nops, ACCEL_STREAM_WORDS_MAX - 2),
+			 -E2BIG);
+	accel_stream_reset(fixture->stream);
+	accel_stream_words(fixture->stream, &count);
+	assert_int_equal(count, 0);
+	assert_int_equal(accel_stream_emit(fixture->stream, nops, 1), 0);
+	assert_int_equal(accel_stream_lend(fixture->stream, nops, 3), 0);
+	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(status.offset, 3);
+	accel_fence_free(fence);
 }
 
 static void a_stream_too_long_is_refused_before_its_words_are_read(void **state)
@@ -330,6 +425,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		stream_test(words_are_copied_one_after_the_other),
 		stream_test(words_of_the_stream_itself_may_be_emitted),
+		stream_test(lent_words_are_sent_where_they_were_appended),
+		stream_test(a_stream_with_lent_words_may_be_sent_again),
+		stream_test(lent_words_count_and_are_forgotten),
 		stream_test(a_stream_too_long_is_refused_before_its_words_are_read),
 		stream_test(a_buffer_has_one_slot),
 		stream_test(rights_are_those_that_were_given),
