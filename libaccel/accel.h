@@ -29,11 +29,13 @@
  * board does not answer. No other call waits for a board, or for a thread that does.
  *
  * Processes. After fork() a device and what is of it are the parent's alone. In the
- * child each call that needs the board answers -ENODEV, at once; frees free memory
- * of the child and leave the board and the parent's jobs alone. A child that is to
- * draw opens a device of its own; one that lives on without exec may keep a board on
- * USB busy after its parent was killed. A library that was loaded stays
- * loaded: dlclose() does not take it away from its threads.
+ * child each call that needs the board answers -ENODEV, at once. A _free there gives
+ * back the object itself and waits for nothing; board memory, jobs, the claim of a
+ * board and its file descriptors are left as they are, and so is the child's copy of
+ * what the device has in memory, until the child ends or calls exec. A child that is
+ * to draw opens a device of its own; one that lives on may keep a board on USB busy
+ * after its parent was killed. The library stays loaded: dlclose() does not take it
+ * away from its threads.
  *
  * Ownership. Every _new has its _free, which takes NULL. An object keeps what
  * it was made from, and what it refers to, alive: freeing a device with buffers
@@ -131,8 +133,8 @@ int accel_device_list(accel_device_list_fn found, void *data);
  * @message may be NULL; it and @data must last as long as the device.
  * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
  * allowed, -EBUSY another program or a driver of the kernel has it, -EINVAL a name or an
- * option that is not understood, -ENOMEM also when the kernel has none for "usb:". The message says what to do about it. "auto" says nothing of a board that
- * is not there.
+ * option that is not understood, -ENOMEM also when the kernel has none for "usb:". The
+ * message says what to do about it. "auto" says nothing of a board that is not there.
  */
 int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **device);

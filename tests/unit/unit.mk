@@ -10,6 +10,12 @@ run-test_%: $(BUILD)/tests/unit/test_%
 	$(call quiet,TEST,$*)
 	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) FAKE_SIM_PATH=$(FAKE_SIM_DIR) $<
 
+# And each error of accel.h has a row in its table.
+run-test_errors: run-errors-table
+.PHONY: run-errors-table
+run-errors-table:
+	$(Q)tests/unit/test_errors.sh $(BUILD)
+
 -include $(wildcard $(BUILD)/tests/unit/*.d)
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_engine test_device test_buffer \
@@ -48,7 +54,7 @@ endif
 ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
 	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
-	test_transport_usb_out_of_memory test_process
+	test_transport_usb_out_of_memory test_process test_errors
 $(BUILD)/tests/unit/test_transport_usb_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
 ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
 UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)

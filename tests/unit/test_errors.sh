@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The table of test_errors.c has a row for each error that a comment of accel.h promises, and no
+# others: test_errors.sh BUILD
+set -eu
+out=$1/tests/unit/errors
+mkdir -p "$out"
+
+# A comment is that of the functions that follow it, up to the next comment or empty line; of these
+# only those of type int have errors.
+awk '
+/^\/\*/ { text = "" }
+/^\/\*/, /\*\/$/ { text = text " " $0; next }
+/^$/ { text = ""; next }
+/^int accel_[a-z_]*\(/ {
+	match($0, /accel_[a-z_]*\(/)
+	name = substr($0, RSTART, RLENGTH - 1)
+	rest = text
+	while (match(rest, /-E[A-Z0-9]+/)) {
+		print name, substr(rest, RSTART, RLENGTH)
+		rest = substr(rest, RSTART + RLENGTH)
+	}
+}' libaccel/accel.h | sort -u >"$out/promised"
+
+{
+	sed -n 's/^\t{ "\(accel_[a-z_]*\)", \(-E[A-Z0-9]*\), .*/\1 \2/p' tests/unit/test_errors.c
+	sed -n 's/^ \* \(accel_[a-z_]*\) \(-E[A-Z0-9]*\): .*/\1 \2/p' tests/unit/test_errors.c
+} | sort -u >"$out/reached"
+
+[ -s "$out/promised" ] || { echo "no errors in accel.h"; exit 1; }
+diff -u --label "accel.h promises" "$out/promised" --label "test_errors.c reaches" "$out/reached"
