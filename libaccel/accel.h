@@ -131,7 +131,7 @@ int accel_device_list(accel_device_list_fn found, void *data);
  * The plugin of "sim:" is looked for in the directory $GLOSS_SIM_PATH, then in
  * sim/ beside the library, then where `make install` puts it.
  * @message may be NULL; it and @data must last as long as the device.
- * -ENODEV no such board, -ENOSYS its support is not installed, -EACCES not
+ * -ENODEV no such board, -ENOSYS its support is not installed or does not load, -EACCES not
  * allowed, -EBUSY another program or a driver of the kernel has it, -EINVAL a name or an
  * option that is not understood, -ENOMEM also when the kernel has none for "usb:". The
  * message says what to do about it. "auto" says nothing of a board that is not there.

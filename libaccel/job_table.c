@@ -43,7 +43,7 @@ static void table_link(struct accel_job_table *table, struct accel_job_entry *en
 static void table_grow(struct accel_job_table *table)
 {
 	struct accel_job_table old = *table;
-	struct accel_job_entry **bucket = calloc(old.buckets, 2 * sizeof(*bucket));
+	struct accel_job_entry **bucket = calloc(2 * old.buckets, sizeof(void *));
 	size_t i;
 
 	if (!bucket)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* What a program may do to the threads and processes that use the library: end a thread within a
  * call, fork. What would hang is ended by SIGALRM. */
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "child_test.h"
 #include "usb_test.h"
 
-#define SECONDS 120
+#define SECONDS 300
 #define WORDS (1u << 20)
 
 /* A device, and a job that takes it a while. */
@@ -166,26 +166,11 @@ static int free_all_in_child(void)
 	return 0;
 }
 
-static void in_child(int (*body)(void))
-{
-	pid_t child = fork();
-	int status;
-
-	assert_true(child >= 0);
-	if (!child) {
-		alarm(SECONDS / 2);
-		_exit(body());
-	}
-	assert_int_equal(waitpid(child, &status, 0), child);
-	if (!WIFEXITED(status) || WEXITSTATUS(status))
-		fail_msg("the child: status %x, line %d", status, WEXITSTATUS(status));
-}
-
 static void a_child_is_refused_and_frees_what_it_has(void **state)
 {
 	(void)state;
-	in_child(use_all_in_child);
-	in_child(free_all_in_child);
+	assert_int_equal(child_run(use_all_in_child, SECONDS / 2), 0);
+	assert_int_equal(child_run(free_all_in_child, SECONDS / 2), 0);
 	fake_usb_release();
 	assert_int_equal(accel_fence_wait(fixture.fence, -1, NULL), 0);
 	assert_device_works();

@@ -5,7 +5,7 @@
 
 #include "usb_test.h"
 
-#define SECONDS 120
+#define SECONDS 300
 #define QUEUED_MAX (4u << 20)
 #define WORDS (QUEUED_MAX / 4 + 1000)
 

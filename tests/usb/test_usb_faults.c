@@ -255,6 +255,18 @@ static void *second_run(void *data)
 	return NULL;
 }
 
+/* After jobs that were done: a core has taken time for them, and a model does not know. */
+static void check_clocks(const struct test *test, struct accel_device *device)
+{
+	struct accel_device_clocks clocks;
+	int err = accel_device_clocks(device, &clocks);
+
+	if (test->rtl && (err == -ENOTSUP || (!err && !clocks.clocks)))
+		usb_trial_fail("the core has no clock");
+	if (!test->rtl && !err && clocks.clocks)
+		usb_trial_fail("the model counts clocks");
+}
+
 /* In one thread, or in two that share the device. */
 static int work(struct test *test, struct accel_device *device, uint64_t *seed)
 {
@@ -273,6 +285,8 @@ static int work(struct test *test, struct accel_device *device, uint64_t *seed)
 	err = usb_trial_run(device, model, next(seed));
 	if (both)
 		pthread_join(thread, NULL);
+	if (!err && !second.err)
+		check_clocks(test, device);
 	return err ? err : second.err;
 }
 
