@@ -5,10 +5,17 @@
  * Board memory changes hands, and must not take along what it holds. The board itself
  * clears it: there is a stream, made once, that sees slot 0 as a surface of one tile's
  * width, and in which each tile is begun with the colour zero and stored. A job with the
- * first so many tiles of that stream clears an object, several jobs a large one.
+ * first so many tiles of that stream clears an object, several jobs a large one: each is
+ * short, so that it does not hold up others for long.
  *
- * They are queued when a job first uses the object, run before the jobs of all files, and
- * every job that uses the object waits for them; if one fails, none of these is run.
+ * They are queued when a job first uses the object, as jobs of the same file and priority: a
+ * file pays for what it uses with its own turns. Every job that uses the object comes after
+ * them; if one fails or is cancelled, none of these is run. As the board runs jobs in order,
+ * such a job may be in the ring already when the clearing ends. That is enough, since a stream
+ * that is right and always the same does not fail but for a hang or a DMA error, and then the
+ * board is reset and the ring looked through again.
+ *
+ * Only after a sleep does the driver clear for itself, all objects before all jobs.
  */
 #include <drm/drm_managed.h>
 #include <linux/bitfield.h>
@@ -17,7 +24,9 @@
 
 #include "gloss_drv.h"
 
-#define GLOSS_CLEAR_STREAM_BYTES	SZ_32K
+/* How much one job clears, and the stream that does it with the smallest tiles. */
+#define GLOSS_CLEAR_JOB_BYTES		SZ_1M
+#define GLOSS_CLEAR_STREAM_BYTES	SZ_8K
 
 /* What board and driver share: the stream, and the list of its pages. */
 struct gloss_clear_shared {
@@ -38,9 +47,11 @@ struct gloss_clear_shared {
 
 #define GLOSS_CLEAR_START_WORDS		2
 #define GLOSS_CLEAR_TILE_WORDS		6
-#define GLOSS_CLEAR_TILES \
-	((GLOSS_CLEAR_STREAM_BYTES / sizeof(__le32) - GLOSS_CLEAR_START_WORDS) / \
-	 GLOSS_CLEAR_TILE_WORDS)
+
+static u32 gloss_clear_job_tiles(const struct gloss_device *gdev)
+{
+	return GLOSS_CLEAR_JOB_BYTES / gloss_clear_tile_bytes(gdev);
+}
 
 static u32 gloss_clear_header(u32 opcode, u32 length)
 {
@@ -74,7 +85,7 @@ static void gloss_clear_put_stream(struct gloss_device *gdev, __le32 *to)
 	to = gloss_clear_put(to, gloss_clear_header(GLOSS_PACKET_COLOUR_SURFACE, 1),
 			     FIELD_PREP(GLOSS_COLOUR_SURFACE_SLOT, 0) |
 			     FIELD_PREP(GLOSS_COLOUR_SURFACE_PITCH, pitch));
-	for (tile = 0; tile < GLOSS_CLEAR_TILES; tile++)
+	for (tile = 0; tile < gloss_clear_job_tiles(gdev); tile++)
 		to = gloss_clear_put_tile(to, tile * gloss_clear_tile_bytes(gdev));
 }
 
@@ -137,18 +148,23 @@ static int gloss_clear_push(struct gloss_job *job)
 	return 0;
 }
 
-/* Queues a job that clears @tiles of @board, @offset bytes from its start. */
-static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles)
+/*
+ * Queues a job of @file, or of the driver's own, that clears @tiles of @board, @offset bytes
+ * from its start.
+ */
+static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles,
+			     struct gloss_file *file, u32 priority)
 {
 	struct gloss_device *gdev = to_gloss_device(board->base.dev);
 	struct gloss_job *job;
 	int ret;
 
-	job = gloss_job_new(gdev, NULL, &gdev->clear.entity);
+	job = gloss_job_new(gdev, file, priority);
 	if (IS_ERR(job))
 		return PTR_ERR(job);
 
 	job->clears = board;
+	atomic_inc(&board->unclear);
 	job->stream_words = GLOSS_CLEAR_START_WORDS + tiles * GLOSS_CLEAR_TILE_WORDS;
 	job->stream_list = gdev->clear.list_address;
 	job->slot[0] = (struct gloss_job_slot) {
@@ -157,50 +173,63 @@ static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles)
 		.rights = DRM_GLOSS_SLOT_WRITE,
 	};
 	ret = gloss_clear_push(job);
-	if (ret)
+	if (ret) {
+		atomic_dec(&board->unclear);
 		gloss_job_free(job);
+	}
 	return ret;
 }
 
 /* On an error some of it may be queued. */
-static int gloss_clear_queue(struct gloss_board *board)
+static int gloss_clear_queue(struct gloss_board *board, struct gloss_file *file, u32 priority)
 {
-	u32 tile_bytes = gloss_clear_tile_bytes(to_gloss_device(board->base.dev));
+	const struct gloss_device *gdev = to_gloss_device(board->base.dev);
+	u32 tile_bytes = gloss_clear_tile_bytes(gdev);
 	u64 left = board->node.size / tile_bytes;
 	u64 offset = 0;
 	int ret = 0;
 
 	while (left && !ret) {
-		u32 tiles = min_t(u64, left, GLOSS_CLEAR_TILES);
+		u32 tiles = min_t(u64, left, gloss_clear_job_tiles(gdev));
 
-		ret = gloss_clear_tiles(board, offset, tiles);
+		ret = gloss_clear_tiles(board, offset, tiles, file, priority);
 		offset += (u64)tiles * tile_bytes;
 		left -= tiles;
 	}
 	return ret;
 }
 
-/* Makes sure that an object is cleared before a job that is locked after this. */
-int gloss_clear_board(struct gloss_board *board)
+/*
+ * Makes sure that an object is cleared before a job of @file and @priority that is locked after
+ * this.
+ */
+int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 priority)
 {
 	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
-	int ret = 0;
+	int ret;
 
-	mutex_lock(&clear->queue_lock);
+	/* Pairs with the release below. */
+	if (smp_load_acquire(&board->cleared))
+		return 0;
+
+	ret = mutex_lock_interruptible(&clear->queue_lock);
+	if (ret)
+		return ret;
 	if (!board->cleared)
-		ret = gloss_clear_queue(board);
-	board->cleared = !ret;
+		ret = gloss_clear_queue(board, file, priority);
+	/* Whoever sees this finds the fences of the clearing in the object's reservation. */
+	smp_store_release(&board->cleared, !ret);
 	mutex_unlock(&clear->queue_lock);
 	return ret;
 }
 
-/* Clears an object again before the jobs that are queued; the scheduler is stopped. */
+/* Clears an object again before the jobs that are queued. */
 void gloss_clear_again(struct gloss_board *board)
 {
 	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
 
 	mutex_lock(&clear->queue_lock);
-	if (board->cleared && gloss_clear_queue(board))
-		WRITE_ONCE(board->lost, true);
+	if (board->cleared && gloss_clear_queue(board, NULL, 0))
+		atomic_inc(&board->unclear);
 	mutex_unlock(&clear->queue_lock);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-2.0-only */
 /*
- * Where kernels differ, so that no other file has to know: of 6.1 and its neighbours up to
- * 6.12. What one offers is found by features.sh. A driver inside the kernel has no such file.
+ * Where kernels differ, from 6.1 on, so that no other file has to know. What one offers is
+ * found by features.sh. A driver inside the kernel has no such file.
  */
 #ifndef GLOSS_COMPAT_H
 #define GLOSS_COMPAT_H
@@ -10,11 +10,8 @@
 #include <drm/gpu_scheduler.h>
 #include <linux/dma-buf.h>
 #include <linux/fs.h>
-#include <linux/kthread.h>
 #include <linux/mm.h>
 #include <linux/pci.h>
-#include <linux/sched.h>
-#include <linux/sched/prio.h>
 #include <linux/shrinker.h>
 #include <linux/slab.h>
 
@@ -46,10 +43,9 @@
 #define GLOSS_SCHED_PRIORITY_LOW	DRM_SCHED_PRIORITY_MIN
 #endif
 
-/* A scheduler that has @ahead jobs with the board at once, and asks about a late one on @wq. */
+/* A scheduler that runs @ahead jobs at once, and does not watch how long they take. */
 static inline int gloss_compat_sched_init(struct drm_gpu_scheduler *sched,
 					  const struct drm_sched_backend_ops *ops, u32 ahead,
-					  long timeout, struct workqueue_struct *wq,
 					  struct device *dev)
 {
 #if defined(GLOSS_HAVE_SCHED_INIT_ARGS)
@@ -60,38 +56,30 @@ static inline int gloss_compat_sched_init(struct drm_gpu_scheduler *sched,
 		.num_rqs = DRM_SCHED_PRIORITY_COUNT,
 #endif
 		.credit_limit = ahead,
-		.timeout = timeout,
-		.timeout_wq = wq,
+		.timeout = MAX_SCHEDULE_TIMEOUT,
 		.name = "gloss",
 		.dev = dev,
 	};
 
 	return drm_sched_init(sched, &args);
 #elif defined(GLOSS_HAVE_SCHED_INIT_SUBMIT_WQ)
-	return drm_sched_init(sched, ops, NULL, DRM_SCHED_PRIORITY_COUNT, ahead, 0, timeout, wq,
-			      NULL, "gloss", dev);
+	return drm_sched_init(sched, ops, NULL, DRM_SCHED_PRIORITY_COUNT, ahead, 0,
+			      MAX_SCHEDULE_TIMEOUT, NULL, NULL, "gloss", dev);
 #elif defined(GLOSS_HAVE_SCHED_INIT_NUM_RQS)
-	return drm_sched_init(sched, ops, DRM_SCHED_PRIORITY_COUNT, ahead, 0, timeout, wq, NULL,
-			      "gloss", dev);
+	return drm_sched_init(sched, ops, DRM_SCHED_PRIORITY_COUNT, ahead, 0,
+			      MAX_SCHEDULE_TIMEOUT, NULL, NULL, "gloss", dev);
 #else
-	return drm_sched_init(sched, ops, ahead, 0, timeout, wq, NULL, "gloss", dev);
+	return drm_sched_init(sched, ops, ahead, 0, MAX_SCHEDULE_TIMEOUT, NULL, NULL, "gloss",
+			      dev);
 #endif
 }
 
-/*
- * A scheduler that has a thread makes it a real-time one. As writing a register may take
- * long, such a thread may use up what the kernel leaves to all of its kind. Later
- * schedulers have workers without such a right; so does this one then.
- */
-static inline void gloss_compat_sched_calm(struct drm_gpu_scheduler *sched)
-{
-#ifdef GLOSS_HAVE_SCHED_THREAD
-	/* When it is parked, it has set its own priority before. */
-	kthread_park(sched->thread);
-	sched_set_normal(sched->thread, MIN_NICE);
-	kthread_unpark(sched->thread);
+/* The member of struct drm_sched_backend_ops that is asked what else a job waits for. */
+#ifdef GLOSS_HAVE_SCHED_PREPARE_JOB
+#define GLOSS_COMPAT_PREPARE_JOB	prepare_job
+#else
+#define GLOSS_COMPAT_PREPARE_JOB	dependency
 #endif
-}
 
 /* @client is what the scheduler's tracepoints call the job's file, where they name it. */
 static inline int gloss_compat_sched_job_init(struct drm_sched_job *job,
@@ -107,15 +95,12 @@ static inline int gloss_compat_sched_job_init(struct drm_sched_job *job,
 #endif
 }
 
-/* After drm_sched_stop() and drm_sched_resubmit_jobs(). */
-static inline void gloss_compat_sched_start(struct drm_gpu_scheduler *sched)
+/* To be called before the fence of @job signals that it failed. */
+static inline void gloss_compat_sched_job_failed(struct drm_sched_job *job, int error)
 {
-#if defined(GLOSS_HAVE_SCHED_START_FULL)
-	drm_sched_start(sched, true);
-#elif defined(GLOSS_HAVE_SCHED_START_ERROR)
-	drm_sched_start(sched, 0);
-#else
-	drm_sched_start(sched);
+#ifdef GLOSS_HAVE_SCHED_FENCE_NO_RESULT
+	/* This scheduler does not look at the error of a job's own fence. */
+	dma_fence_set_error(&job->s_fence->finished, error);
 #endif
 }
 

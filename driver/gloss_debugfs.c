@@ -90,7 +90,7 @@ static int gloss_debugfs_ring(struct seq_file *m, void *unused)
 {
 	struct gloss_device *gdev = gloss_debugfs_device(m);
 	struct gloss_ring *ring = &gdev->ring;
-	u16 i;
+	const struct gloss_job *job;
 
 	spin_lock_irq(&ring->lock);
 	seq_printf(m, "head %u, tail %u, of %lu entries; last sequence %u\n",
@@ -99,8 +99,8 @@ static int gloss_debugfs_ring(struct seq_file *m, void *unused)
 		   div_u64(ring->busy_ns, NSEC_PER_USEC));
 	seq_printf(m, "resets %d, lost interrupts %d\n", atomic_read(&gdev->resets),
 		   atomic_read(&gdev->interrupts_lost));
-	for (i = ring->head; i != ring->tail; i++)
-		gloss_debugfs_print_job(m, ring->job[i % GLOSS_RING_ENTRIES]);
+	list_for_each_entry(job, &ring->list, ring_node)
+		gloss_debugfs_print_job(m, job);
 	spin_unlock_irq(&ring->lock);
 	return 0;
 }

@@ -113,4 +113,5 @@ void gloss_device_set_gone(struct gloss_device *gdev, const char *why)
 			drm_err(&gdev->drm, "the board is lost: %s\n", why);
 	}
 	gloss_ring_fail(&gdev->ring, -ENODEV);
+	wake_up_all(&gdev->jobs_wait);
 }

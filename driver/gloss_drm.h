@@ -47,10 +47,17 @@ enum drm_gloss_param {
 	/** @DRM_GLOSS_PARAM_STREAM_WORDS_MAX: words of the longest stream or response */
 	DRM_GLOSS_PARAM_STREAM_WORDS_MAX,
 	/**
-	 * @DRM_GLOSS_PARAM_JOBS_LOST: jobs of this open file that hung the board, or
-	 * were lost with it; a fault of a stream is not counted
+	 * @DRM_GLOSS_PARAM_JOBS_LOST: jobs of this open file that hung the board, ran too
+	 * long or were lost with it; a fault of a stream is not counted
 	 */
 	DRM_GLOSS_PARAM_JOBS_LOST,
+	/** @DRM_GLOSS_PARAM_JOB_LIMIT: milliseconds a job may run; then it ends with -ETIME */
+	DRM_GLOSS_PARAM_JOB_LIMIT,
+	/**
+	 * @DRM_GLOSS_PARAM_JOBS_QUEUED: jobs of an open file that have not ended, from which on
+	 * SUBMIT waits
+	 */
+	DRM_GLOSS_PARAM_JOBS_QUEUED,
 };
 
 /**
@@ -173,8 +180,9 @@ enum drm_gloss_priority {
 struct drm_gloss_status {
 	/**
 	 * @error: 0: the board ended the job, and @cause says how; -EIO: it hung the board
-	 * or met a DMA error; -ENODEV: the board is gone; -ECANCELED: the file was closed
-	 * first. The job's fence has the same error, or -EIO if @cause is not zero.
+	 * or met a DMA error; -ETIME: it ran for longer than DRM_GLOSS_PARAM_JOB_LIMIT, and
+	 * may have done part of its work; -ENODEV: the board is gone; -ECANCELED: the file
+	 * was closed first. The job's fence has the same error, or -EIO if @cause is not zero.
 	 */
 	__s32 error;
 	/** @cause: enum gloss_fault of the stream (rtl/INTERFACE.md); 0: none */
@@ -203,8 +211,12 @@ struct drm_gloss_status {
  *
  * Jobs of one open file and priority run in the order of their submission, each when its
  * in-syncs and, without DRM_GLOSS_SUBMIT_EXPLICIT_SYNC, the fences of its objects'
- * reservations have signalled. Nothing of a
- * job that is refused happens. Each range must be inside its host object.
+ * reservations have signalled. Open files take turns, a job each; those of a higher
+ * priority go first. Nothing of a job that is refused happens. Each range must be inside
+ * its host object.
+ *
+ * While DRM_GLOSS_PARAM_JOBS_QUEUED jobs of the file have not ended, SUBMIT waits for one of
+ * them, or, if the file is O_NONBLOCK, fails with -EAGAIN.
  *
  * The first job that uses a host object pins its pages, and charges them to its open file.
  * Of what all boards may pin, the module's parameter pin_percent of the machine's memory, a

@@ -21,6 +21,10 @@
 #define GLOSS_PCI_SUBDEVICE	0x534f
 #define GLOSS_PCI_BAR		0
 
+unsigned int gloss_job_limit_ms = 10000;
+module_param_named(job_limit_ms, gloss_job_limit_ms, uint, 0644);
+MODULE_PARM_DESC(job_limit_ms, "A job that runs for so long is ended, and lost");
+
 unsigned int gloss_timeout_ms = 2000;
 module_param_named(timeout_ms, gloss_timeout_ms, uint, 0444);
 MODULE_PARM_DESC(timeout_ms, "A job is lost, and the board reset, when nothing moves for so long");
@@ -54,6 +58,12 @@ static int gloss_get_param_ioctl(struct drm_device *drm, void *data, struct drm_
 		return 0;
 	case DRM_GLOSS_PARAM_JOBS_LOST:
 		args->value = atomic_read(&to_gloss_file(file)->jobs_lost);
+		return 0;
+	case DRM_GLOSS_PARAM_JOB_LIMIT:
+		args->value = READ_ONCE(gloss_job_limit_ms);
+		return 0;
+	case DRM_GLOSS_PARAM_JOBS_QUEUED:
+		args->value = GLOSS_FILE_JOBS;
 		return 0;
 	default:
 		return -EINVAL;
@@ -170,14 +180,9 @@ static void gloss_pci_shutdown(struct pci_dev *pdev)
 }
 
 /* What the board can not end in time is lost; what it does not have yet waits. */
-static int __maybe_unused gloss_pm_suspend(struct device *dev)
+static int gloss_pm_suspend(struct device *dev)
 {
-	struct gloss_device *gdev = dev_get_drvdata(dev);
-
-	gloss_sched_suspend(gdev);
-	gloss_device_reset(gdev);
-	gloss_ring_fail(&gdev->ring, -EIO);
-	gloss_ring_rewind(&gdev->ring);
+	gloss_sched_suspend(dev_get_drvdata(dev));
 	return 0;
 }
 
@@ -185,19 +190,13 @@ static int __maybe_unused gloss_pm_suspend(struct device *dev)
  * Board memory may have lost its content. It is cleared, so that it is nobody else's, and
  * files are told.
  */
-static int __maybe_unused gloss_pm_resume(struct device *dev)
+static int gloss_pm_resume(struct device *dev)
 {
-	struct gloss_device *gdev = dev_get_drvdata(dev);
-
-	if (!gloss_device_gone(gdev) && (gloss_device_reset(gdev) ?: gloss_device_start(gdev)))
-		gloss_device_set_gone(gdev, "it did not come back from sleep");
-	gloss_memory_clear(gdev);
-	gloss_files_lost(gdev);
-	gloss_sched_resume(gdev);
+	gloss_sched_resume(dev_get_drvdata(dev));
 	return 0;
 }
 
-static SIMPLE_DEV_PM_OPS(gloss_pm_ops, gloss_pm_suspend, gloss_pm_resume);
+static DEFINE_SIMPLE_DEV_PM_OPS(gloss_pm_ops, gloss_pm_suspend, gloss_pm_resume);
 
 static const struct pci_device_id gloss_pci_ids[] = {
 	{ PCI_DEVICE_SUB(PCI_VENDOR_ID_XILINX, GLOSS_PCI_DEVICE,
@@ -212,9 +211,22 @@ static struct pci_driver gloss_pci_driver = {
 	.probe = gloss_pci_probe,
 	.remove = gloss_pci_remove,
 	.shutdown = gloss_pci_shutdown,
-	.driver.pm = &gloss_pm_ops,
+	.driver.pm = pm_sleep_ptr(&gloss_pm_ops),
 };
-module_pci_driver(gloss_pci_driver);
+
+static int __init gloss_init(void)
+{
+	return pci_register_driver(&gloss_pci_driver);
+}
+
+static void __exit gloss_exit(void)
+{
+	pci_unregister_driver(&gloss_pci_driver);
+	gloss_fences_wait_for_none();
+}
+
+module_init(gloss_init);
+module_exit(gloss_exit);
 
 MODULE_DESCRIPTION("Gloss 3D accelerator on PCI");
 MODULE_LICENSE("GPL");

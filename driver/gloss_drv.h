@@ -10,17 +10,19 @@
  *   gloss_clear   jobs that empty board memory
  *   gloss_submit  the ioctl that makes a job; gloss_sync, what it waits for and signals
  *   gloss_job     a job, from its making to its end
- *   gloss_sched   which job is next, and what happens to one that hangs
+ *   gloss_sched   the DRM scheduler, and what happens to a job that hangs
+ *   gloss_turn    which job is next
  *   gloss_ring    jobs the board has
  *   gloss_irq     what it says of them
+ *   gloss_fence   fences of jobs
  *
- * Locks, outer ones first: gloss_device.stop, gloss_clear.queue_lock, a reservation
- * (dma_resv), gloss_file.lock or gloss_clear.lock, gloss_ring.lock, gloss_ring.fence_lock.
+ * Locks, outer ones first: gloss_clear.queue_lock, a reservation (dma_resv),
+ * gloss_file.lock or gloss_clear.lock, gloss_ring.push_lock, gloss_ring.lock,
+ * gloss_turns.lock, gloss_turns.fence_lock or gloss_ring.fence_lock.
  * Those of objects: gloss_hosts.lock, gloss_host.lock, the reservation of an imported one,
  * gloss_hosts.idle_lock or gloss_share.lock; under gloss_host.lock memory is allocated, and
  * whoever has that may need gloss_hosts.idle_lock. gloss_memory.lock is taken alone.
- * The interrupt takes those of the ring. The scheduler's thread, and while that is
- * stopped whoever has stopped it, are the only ones to push jobs into the ring.
+ * The interrupt takes the spinlocks of ring and turns.
  */
 #ifndef GLOSS_DRV_H
 #define GLOSS_DRV_H
@@ -34,8 +36,8 @@
 #include <linux/io.h>
 #include <linux/kref.h>
 #include <linux/ktime.h>
+#include <linux/list.h>
 #include <linux/mutex.h>
-#include <linux/semaphore.h>
 #include <linux/spinlock.h>
 #include <linux/wait.h>
 #include <linux/workqueue.h>
@@ -47,8 +49,12 @@
 #define GLOSS_HOST_SIZE_MAX	SZ_256M
 #define GLOSS_STREAM_WORDS_MAX	(GLOSS_HOST_SIZE_MAX / sizeof(u32))
 #define GLOSS_RING_ENTRIES	BIT(GLOSS_RING_MAX_LOG2)
-/* Jobs the scheduler gives the board ahead of their turn; fewer than the ring has entries. */
-#define GLOSS_JOBS_AHEAD	64
+/* Jobs that are in the ring at once: the one that runs, and one for the board to go on with. */
+#define GLOSS_JOBS_AHEAD	2
+/* Jobs of a file, queued or under way, above which SUBMIT waits. */
+#define GLOSS_FILE_JOBS		1024
+/* What a job may still run for after its file was closed. */
+#define GLOSS_CLOSED_LIMIT_MS	100
 /* A job is run, then, if that hung the board, as an empty one; then it is the board. */
 #define GLOSS_JOB_HANGS		2
 #define GLOSS_PRIORITIES	(DRM_GLOSS_PRIORITY_HIGH + 1)
@@ -58,7 +64,7 @@
 struct gloss_device;
 struct gloss_job;
 
-extern unsigned int gloss_timeout_ms;
+extern unsigned int gloss_timeout_ms, gloss_job_limit_ms;
 
 /* What board and driver share, in coherent memory. */
 struct gloss_ring_shared {
@@ -81,22 +87,64 @@ struct gloss_ring {
 	struct gloss_ring_shared *shared;
 	dma_addr_t address;		/* of @shared */
 
+	/*
+	 * Whoever gives the board jobs, looks whether it still moves, or resets it. Fences
+	 * wait for that, so its holder must neither wait for one nor allocate memory.
+	 */
+	struct mutex push_lock;
+	bool asleep;			/* jobs are only listed; under @push_lock */
+	/* What the board had done when gloss_sched looked at it last; under @push_lock. */
+	u32 seen_head, seen_progress;
+	ktime_t seen;			/* since when that has not changed */
+
 	/* Protects the following members. */
 	spinlock_t lock;
 	u16 head, tail;			/* counts of jobs, as in the board's registers */
 	u32 sequence;			/* of the job put in last; never 0 */
-	struct gloss_job *job[GLOSS_RING_ENTRIES];
+	struct list_head list;		/* gloss_job.ring_node, from head to tail */
 	ktime_t idle;			/* when the last job ended */
 	u64 jobs, faults;		/* ended; of these with a cause */
 	u64 busy_ns;
 	struct gloss_ring_fault fault;
 
-	/* What the board had done when gloss_sched looked at it last. */
-	u32 seen_head, seen_progress;
-
 	spinlock_t fence_lock;		/* of the fences of all jobs */
 	u64 fence_context;
 	u64 fence_sequence;		/* of the fence made last; of gloss_sched_run_job only */
+};
+
+/* Who goes first. */
+enum gloss_rank {
+	GLOSS_RANK_OWN,			/* the driver's own jobs */
+	GLOSS_RANK_HIGH,
+	GLOSS_RANK_NORMAL,
+	GLOSS_RANK_LOW,
+	GLOSS_RANKS,
+};
+
+/* Jobs that have their turn, and those that wait for it. */
+struct gloss_turns {
+	spinlock_t lock;		/* protects the following members, and each gloss_turn */
+	struct list_head waiting[GLOSS_RANKS];	/* gloss_turn.node */
+	unsigned int taken;		/* by jobs that have not ended */
+	unsigned int own;		/* jobs of the driver's own that have not had their turn */
+	bool held;
+	spinlock_t fence_lock;		/* of the fences of all turns */
+};
+
+enum gloss_turn_state {
+	GLOSS_TURN_NONE,		/* not asked for */
+	GLOSS_TURN_WAITING,
+	GLOSS_TURN_HAD,
+};
+
+/* A job's turn. */
+struct gloss_turn {
+	struct gloss_file *file;	/* the job's */
+	enum gloss_rank rank;
+	enum gloss_turn_state state;
+	bool counts;			/* in gloss_turns.taken */
+	struct list_head node;
+	struct dma_fence *fence;	/* signals when it is the job's turn */
 };
 
 /* The host objects of a board. */
@@ -153,19 +201,20 @@ struct gloss_device {
 	u32 version, tile_size, pixels_per_clock;
 
 	struct gloss_ring ring;
+	struct gloss_turns turns;
 	struct gloss_hosts hosts;
 	struct gloss_memory memory;
 	struct gloss_clear clear;
 
 	struct drm_gpu_scheduler sched;
-	struct workqueue_struct *sched_wq;	/* looks at late jobs, one at a time */
+	struct workqueue_struct *watch_wq;
+	struct delayed_work watch;		/* looks whether the board still moves */
 	struct workqueue_struct *free_wq;	/* frees jobs that have ended */
-	struct semaphore stop;		/* whoever has it may stop the scheduler */
 	atomic_t resets, interrupts_lost;	/* for debugfs */
 
 	atomic_t jobs;			/* that exist, whatever their state */
 	atomic_t jobs_ended;		/* of these, ended and not yet freed */
-	wait_queue_head_t jobs_wait;	/* woken when a job is freed */
+	wait_queue_head_t jobs_wait;	/* woken when a job is freed, or the board goes */
 };
 
 static inline struct gloss_device *to_gloss_device(struct drm_device *drm)
@@ -183,6 +232,7 @@ struct gloss_file {
 	atomic64_t engine_ns;		/* time the board worked for this file */
 	atomic64_t jobs;		/* ended */
 	u64 held[GLOSS_SHARES];		/* under the lock of the gloss_share */
+	atomic_t jobs_queued;		/* that exist */
 	struct mutex lock;		/* keeps the jobs of an entity in order */
 	struct drm_sched_entity entity[GLOSS_PRIORITIES];
 };
@@ -217,9 +267,12 @@ struct gloss_board {
 	struct drm_gem_object base;
 	struct drm_mm_node node;
 	struct gloss_file *payer;	/* whose share it is of */
-	bool cleared;			/* before any job; under gloss_clear.queue_lock */
-	/* Clearing it failed: who knows what is in there. Jobs that name it end with -EIO. */
-	bool lost;
+	bool cleared;			/* or to be; set under gloss_clear.queue_lock */
+	/*
+	 * Jobs that clear it which the board has not got, or which failed. A job that is to run
+	 * nevertheless, and names it, ends with -EIO: it might read what is somebody else's.
+	 */
+	atomic_t unclear;
 };
 
 extern const struct drm_gem_object_funcs gloss_host_funcs;
@@ -262,10 +315,12 @@ struct gloss_job {
 	struct gloss_file *file;	/* NULL: the driver's own */
 	struct gloss_board *clears;	/* the object whose clearing this is, or NULL */
 
-	/* Allocated with the job, initialised when it is first run. */
+	struct gloss_turn turn;
+	/* Allocated with the job, initialised when it is run. */
 	struct dma_fence *fence;
 	struct work_struct free;		/* of gloss_device.free_wq */
 	enum gloss_job_state state;
+	struct list_head ring_node;	/* in gloss_ring.list, while it is running */
 	/* Why the board is to skip this job, which then is how it ends; 0: it is not. */
 	int refused;
 	unsigned int hangs;		/* how often it was to blame */
@@ -280,7 +335,7 @@ struct gloss_job {
 	struct page *status_page;
 	u32 status_offset;
 
-	ktime_t begun;			/* when the board was told of it */
+	ktime_t begun;			/* when it was put into the ring */
 
 	bool explicit_sync;		/* DRM_GLOSS_SUBMIT_EXPLICIT_SYNC */
 	/* References, none twice; bit i of @writes: the job writes object i. */
@@ -369,7 +424,7 @@ void gloss_memory_clear(struct gloss_device *gdev);
 
 /* gloss_clear.c */
 int gloss_clear_init(struct gloss_device *gdev);
-int gloss_clear_board(struct gloss_board *board);
+int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 priority);
 void gloss_clear_again(struct gloss_board *board);
 
 static inline u32 gloss_clear_tile_bytes(const struct gloss_device *gdev)
@@ -397,11 +452,13 @@ void gloss_sync_free(struct gloss_sync *syncs, unsigned int count);
 
 /* gloss_job.c */
 struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *file,
-				struct drm_sched_entity *entity);
+				u32 priority);
 int gloss_job_use(struct gloss_job *job, struct drm_gem_object *object, bool write);
 int gloss_job_lock(struct gloss_job *job, struct ww_acquire_ctx *ctx);
 struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *ctx);
 void gloss_job_begin(struct gloss_job *job);
+int gloss_job_refusal(const struct gloss_job *job);
+void gloss_job_refuse(struct gloss_job *job, int error);
 void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status);
 void gloss_job_free(struct gloss_job *job);
 void gloss_job_free_work(struct work_struct *work);
@@ -412,13 +469,33 @@ void gloss_sched_kick(struct gloss_device *gdev);
 void gloss_sched_suspend(struct gloss_device *gdev);
 void gloss_sched_resume(struct gloss_device *gdev);
 
+/* gloss_turn.c */
+void gloss_turns_init(struct gloss_turns *turns);
+int gloss_turn_init(struct gloss_turns *turns, struct gloss_turn *turn, struct gloss_file *file,
+		    u32 priority);
+struct dma_fence *gloss_turn_ask(struct gloss_turns *turns, struct gloss_turn *turn);
+void gloss_turn_end(struct gloss_turns *turns, struct gloss_turn *turn);
+void gloss_turn_fini(struct gloss_turns *turns, struct gloss_turn *turn);
+void gloss_turns_close(struct gloss_turns *turns, const struct gloss_file *file);
+void gloss_turns_hold(struct gloss_turns *turns, bool hold);
+bool gloss_turns_idle(struct gloss_turns *turns);
+
+/* gloss_fence.c */
+extern const struct dma_fence_ops gloss_fence_ops;
+struct dma_fence *gloss_fence_new(void);
+void gloss_fence_free(struct dma_fence *fence);
+void gloss_fences_wait_for_none(void);
+
 /* gloss_ring.c */
 int gloss_ring_init(struct gloss_device *gdev);
 void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job);
 unsigned int gloss_ring_reap(struct gloss_ring *ring);
 void gloss_ring_fail(struct gloss_ring *ring, int error);
 bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault);
+s64 gloss_ring_ran_ms(struct gloss_ring *ring);
+s64 gloss_ring_left_ms(struct gloss_ring *ring, unsigned int limit_ms, int *error);
 void gloss_ring_rewind(struct gloss_ring *ring);
+int gloss_ring_start(struct gloss_device *gdev);
 bool gloss_ring_idle(struct gloss_ring *ring);
 u64 gloss_ring_engine_ns(struct gloss_ring *ring, const struct gloss_file *file);
 

@@ -75,8 +75,8 @@ void gloss_file_put(struct gloss_file *gfile)
 }
 
 /*
- * Jobs that have not begun are cancelled, each when its turn comes; waits until none is
- * queued. What the board has is left to end.
+ * Jobs that have not begun are cancelled; waits until none is queued. What the board has may
+ * run on for GLOSS_CLOSED_LIMIT_MS.
  */
 void gloss_file_close(struct drm_device *drm, struct drm_file *file)
 {
@@ -84,6 +84,8 @@ void gloss_file_close(struct drm_device *drm, struct drm_file *file)
 	unsigned int i;
 
 	WRITE_ONCE(gfile->closed, true);
+	gloss_turns_close(&gfile->gdev->turns, gfile);
+	gloss_sched_kick(gfile->gdev);
 	for (i = 0; i < GLOSS_PRIORITIES; i++)
 		drm_sched_entity_destroy(&gfile->entity[i]);
 	gloss_file_put(gfile);

@@ -4,9 +4,9 @@
  *
  * gloss_submit_ioctl, or gloss_clear_board, makes a job, gives it the objects it uses,
  * locks their reservations and pushes it to its entity. From then on the scheduler owns
- * it: when all it depends on has ended, gloss_sched_run_job puts it into the ring. The
- * interrupt finds that it has ended, writes its status to the page that waits for it, and
- * signals its fence. At last a work frees it, and drops what it used.
+ * it: when all it depends on is done and it is the job's turn, gloss_sched_run_job puts it
+ * into the ring. The interrupt finds that it has ended, writes its status to the page that
+ * waits for it, and signals its fence. At last a work frees it, and drops what it used.
  */
 #include <drm/drm_gem.h>
 #include <linux/dma-resv.h>
@@ -16,54 +16,57 @@
 #include "gloss_drv.h"
 #include "gloss_trace.h"
 
-static const char *gloss_job_fence_driver_name(struct dma_fence *fence)
+static int gloss_job_init(struct gloss_device *gdev, struct gloss_job *job,
+			  struct gloss_file *file, u32 priority)
 {
-	return "gloss";
-}
-
-static const char *gloss_job_fence_timeline_name(struct dma_fence *fence)
-{
-	return "ring";
-}
-
-static const struct dma_fence_ops gloss_job_fence_ops = {
-	.get_driver_name = gloss_job_fence_driver_name,
-	.get_timeline_name = gloss_job_fence_timeline_name,
-};
-
-/* A job of @file for @entity; without a file it is the driver's own. */
-struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *file,
-				struct drm_sched_entity *entity)
-{
-	struct gloss_job *job;
+	struct drm_sched_entity *entity = file ? &file->entity[priority] : &gdev->clear.entity;
 	int ret = -ENOMEM;
 
-	job = kzalloc(sizeof(*job), GFP_KERNEL);
-	if (!job)
-		return ERR_PTR(-ENOMEM);
-
-	job->fence = kzalloc(sizeof(*job->fence), GFP_KERNEL);
+	job->fence = gloss_fence_new();
 	if (!job->fence)
-		goto free_job;
+		return ret;
+
+	ret = gloss_turn_init(&gdev->turns, &job->turn, file, priority);
+	if (ret)
+		goto free_fence;
 
 	ret = gloss_compat_sched_job_init(&job->base, entity, file, gloss_file_client(file));
 	if (ret)
-		goto free_fence;
+		goto fini_turn;
+	return 0;
+
+fini_turn:
+	gloss_turn_fini(&gdev->turns, &job->turn);
+free_fence:
+	gloss_fence_free(job->fence);
+	return ret;
+}
+
+/* A job of @file, or without a file the driver's own, which has no priority but comes first. */
+struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *file, u32 priority)
+{
+	struct gloss_job *job;
+	int ret;
+
+	job = kzalloc(sizeof(*job), GFP_KERNEL_ACCOUNT);
+	if (!job)
+		return ERR_PTR(-ENOMEM);
+
+	ret = gloss_job_init(gdev, job, file, priority);
+	if (ret) {
+		kfree(job);
+		return ERR_PTR(ret);
+	}
 
 	job->gdev = gdev;
 	INIT_WORK(&job->free, gloss_job_free_work);
 	if (file) {
 		kref_get(&file->ref);
+		atomic_inc(&file->jobs_queued);
 		job->file = file;
 	}
 	atomic_inc(&gdev->jobs);
 	return job;
-
-free_fence:
-	kfree(job->fence);
-free_job:
-	kfree(job);
-	return ERR_PTR(ret);
 }
 
 /*
@@ -179,9 +182,6 @@ struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *c
 	signalling = dma_fence_begin_signalling();
 	drm_sched_job_arm(&job->base);
 	fence = dma_fence_get(&job->base.s_fence->finished);
-	/* Who uses an object that is being cleared has to know first whether that worked. */
-	if (job->clears)
-		set_bit(DRM_SCHED_FENCE_DONT_PIPELINE, &fence->flags);
 	gloss_job_add_fence(job, fence);
 	trace_gloss_submit(job);
 	/* Once it is pushed, the job may end, and be gone with its objects. */
@@ -192,14 +192,40 @@ struct dma_fence *gloss_job_push(struct gloss_job *job, struct ww_acquire_ctx *c
 	return fence;
 }
 
+/* Why a job must not be run, now that it is its turn; 0: it may. */
+int gloss_job_refusal(const struct gloss_job *job)
+{
+	unsigned int i;
+
+	if (job->file && READ_ONCE(job->file->closed))
+		return -ECANCELED;
+	if (job->clears)
+		return 0;
+	for (i = 0; i < job->objects; i++)
+		if (gloss_gem_is_board(job->object[i]) &&
+		    atomic_read(&to_gloss_board(job->object[i])->unclear))
+			return -EIO;
+	return 0;
+}
+
+/* The board will get an empty job in its place, and that ends with @error. */
+void gloss_job_refuse(struct gloss_job *job, int error)
+{
+	job->refused = error;
+	if (job->clears)
+		atomic_inc(&job->clears->unclear);
+}
+
 /* The scheduler has decided for the job; its fence takes its place among the ring's. */
 void gloss_job_begin(struct gloss_job *job)
 {
 	struct gloss_ring *ring = &job->gdev->ring;
 
-	if (!job->fence->ops)
-		dma_fence_init(job->fence, &gloss_job_fence_ops, &ring->fence_lock,
-			       ring->fence_context, ++ring->fence_sequence);
+	dma_fence_init(job->fence, &gloss_fence_ops, &ring->fence_lock, ring->fence_context,
+		       ++ring->fence_sequence);
+	job->refused = gloss_job_refusal(job);
+	if (job->clears && !job->refused)
+		atomic_dec(&job->clears->unclear);
 }
 
 static void gloss_job_write_status(struct gloss_job *job, const struct drm_gloss_status *status)
@@ -207,6 +233,17 @@ static void gloss_job_write_status(struct gloss_job *job, const struct drm_gloss
 	if (job->status_page)
 		memcpy_to_page(job->status_page, job->status_offset, (const char *)status,
 			       sizeof(*status));
+}
+
+/* Clearing is no job that a program knows of. */
+static void gloss_job_count(struct gloss_job *job, const struct drm_gloss_status *status)
+{
+	if (!job->file || job->clears)
+		return;
+
+	atomic64_inc(&job->file->jobs);
+	if (status->error == -EIO || status->error == -ETIME || status->error == -ENODEV)
+		atomic_inc(&job->file->jobs_lost);
 }
 
 /* Ends a job that has begun. It may be freed at once. The ring is locked. */
@@ -218,18 +255,14 @@ void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status)
 	gloss_job_write_status(job, status);
 	if (error) {
 		trace_gloss_fault(job, status);
-		/* The scheduler of this kernel may not pass on the error of a job's own fence. */
-		dma_fence_set_error(&job->base.s_fence->finished, error);
+		gloss_compat_sched_job_failed(&job->base, error);
 		dma_fence_set_error(job->fence, error);
 		if (job->clears)
-			WRITE_ONCE(job->clears->lost, true);
+			atomic_inc(&job->clears->unclear);
 	}
-	if (job->file) {
-		atomic64_inc(&job->file->jobs);
-		if (status->error == -EIO || status->error == -ENODEV)
-			atomic_inc(&job->file->jobs_lost);
-	}
+	gloss_job_count(job, status);
 	job->state = GLOSS_JOB_ENDED;
+	gloss_turn_end(&job->gdev->turns, &job->turn);
 	atomic_inc(&job->gdev->jobs_ended);
 	dma_fence_signal(job->fence);
 }
@@ -240,22 +273,14 @@ static void gloss_job_dropped(struct gloss_job *job)
 	const struct drm_gloss_status status = { .error = -ECANCELED };
 
 	gloss_job_write_status(job, &status);
-	if (job->clears)
-		WRITE_ONCE(job->clears->lost, true);
 }
 
 static void gloss_job_free_fence(struct gloss_job *job)
 {
-	struct drm_sched_fence *finished = job->base.s_fence;
-
-	/* The scheduler's fence may outlive this module, in a sync file; ours must not. */
-	dma_fence_put(finished->parent);
-	finished->parent = NULL;
-
 	if (job->fence->ops)
 		dma_fence_put(job->fence);
 	else
-		kfree(job->fence);
+		gloss_fence_free(job->fence);
 }
 
 /* Frees a job that was pushed and has ended, or one that was never pushed. */
@@ -269,12 +294,15 @@ void gloss_job_free(struct gloss_job *job)
 	if (job->state == GLOSS_JOB_ENDED)
 		atomic_dec(&gdev->jobs_ended);
 
+	gloss_turn_fini(&gdev->turns, &job->turn);
 	gloss_job_free_fence(job);
 	drm_sched_job_cleanup(&job->base);
 	for (i = 0; i < job->objects; i++)
 		gloss_gem_end_use(job->object[i]);
-	if (job->file)
+	if (job->file) {
+		atomic_dec(&job->file->jobs_queued);
 		gloss_file_put(job->file);
+	}
 	kfree(job);
 
 	atomic_dec(&gdev->jobs);

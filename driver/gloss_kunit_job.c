@@ -13,7 +13,7 @@ void gloss_kunit_jobs_init(struct kunit *test)
 }
 
 struct gloss_job *gloss_job_new(struct gloss_device *gdev, struct gloss_file *file,
-				struct drm_sched_entity *entity)
+				u32 priority)
 {
 	struct gloss_job *job = &gloss_kunit_jobs->job[gloss_kunit_jobs->count];
 

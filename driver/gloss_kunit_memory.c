@@ -78,8 +78,8 @@ static void memory_all_of_it_can_be_had(struct kunit *test)
 static void memory_clear_covers_every_byte_once(struct kunit *test)
 {
 	struct gloss_device *gdev = test->priv;
-	u64 sizes[] = { 1, GLOSS_CLEAR_TILES * gloss_clear_tile_bytes(gdev),
-			(GLOSS_CLEAR_TILES + 1) * gloss_clear_tile_bytes(gdev) };
+	u64 sizes[] = { 1, GLOSS_CLEAR_JOB_BYTES,
+			GLOSS_CLEAR_JOB_BYTES + gloss_clear_tile_bytes(gdev) };
 	unsigned int i, j;
 
 	for (i = 0; i < ARRAY_SIZE(sizes); i++) {
@@ -89,7 +89,7 @@ static void memory_clear_covers_every_byte_once(struct kunit *test)
 		gloss_kunit_jobs_init(test);
 		board = memory_board(test, sizes[i]);
 		at = board->node.start;
-		KUNIT_ASSERT_EQ(test, gloss_clear_board(board), 0);
+		KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
 		for (j = 0; j < gloss_kunit_jobs->count; j++) {
 			KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[j].slot[0].base, at);
 			KUNIT_EXPECT_PTR_EQ(test, gloss_kunit_jobs->job[j].clears, board);
@@ -102,7 +102,7 @@ static void memory_clear_covers_every_byte_once(struct kunit *test)
 
 static void memory_clear_job_may_only_write(struct kunit *test)
 {
-	KUNIT_ASSERT_EQ(test, gloss_clear_board(memory_board(test, 1)), 0);
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(memory_board(test, 1), NULL, 0), 0);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[0].slot[0].rights, DRM_GLOSS_SLOT_WRITE);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[0].slot[1].size, 0);
 }
@@ -111,8 +111,8 @@ static void memory_is_cleared_once(struct kunit *test)
 {
 	struct gloss_board *board = memory_board(test, 1);
 
-	KUNIT_ASSERT_EQ(test, gloss_clear_board(board), 0);
-	KUNIT_ASSERT_EQ(test, gloss_clear_board(board), 0);
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->pushed, 1);
 }
 
@@ -123,13 +123,13 @@ static void memory_clear_that_fails_is_done_again(struct kunit *test)
 	unsigned int before;
 
 	gloss_kunit_jobs->fail_at = 2;
-	KUNIT_EXPECT_EQ(test, gloss_clear_board(board), -EINTR);
+	KUNIT_EXPECT_EQ(test, gloss_clear_board(board, NULL, 0), -EINTR);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->pushed, 1);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->freed, 1);
 
 	before = gloss_kunit_jobs->count;
 	gloss_kunit_jobs->fail_at = 0;
-	KUNIT_EXPECT_EQ(test, gloss_clear_board(board), 0);
+	KUNIT_EXPECT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[before].slot[0].base, board->node.start);
 }
 
@@ -145,7 +145,7 @@ static void memory_clear_stream_is_a_tile_a_time(struct kunit *test)
 	gloss_clear_put_stream(gdev, shared->stream);
 	KUNIT_EXPECT_EQ(test, le32_to_cpu(shared->stream[0]), 0x08000001);
 	KUNIT_EXPECT_EQ(test, le32_to_cpu(shared->stream[1]), 64 * 4 << 16);
-	for (i = 0; i < GLOSS_CLEAR_TILES; i++) {
+	for (i = 0; i < gloss_clear_job_tiles(gdev); i++) {
 		word = &shared->stream[GLOSS_CLEAR_START_WORDS + i * GLOSS_CLEAR_TILE_WORDS];
 		KUNIT_EXPECT_EQ(test, le32_to_cpu(word[0]), 0x10000002);
 		KUNIT_EXPECT_EQ(test, le32_to_cpu(word[1]), 0);

@@ -23,6 +23,21 @@ void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status)
 	ring_job->ended = ++ring_ended;
 }
 
+int gloss_job_refusal(const struct gloss_job *job)
+{
+	return 0;
+}
+
+void gloss_job_refuse(struct gloss_job *job, int error)
+{
+	job->refused = error;
+}
+
+int gloss_device_start(struct gloss_device *gdev)
+{
+	return 0;
+}
+
 static int ring_test_init(struct kunit *test)
 {
 	struct gloss_device *gdev = kunit_kzalloc(test, sizeof(*gdev), GFP_KERNEL);
@@ -33,19 +48,38 @@ static int ring_test_init(struct kunit *test)
 	gdev->ring.shared = kunit_kzalloc(test, sizeof(*gdev->ring.shared), GFP_KERNEL);
 	KUNIT_ASSERT_NOT_NULL(test, gdev->ring.shared);
 	gdev->ring.address = 0x1000000000;
+	mutex_init(&gdev->ring.push_lock);
 	spin_lock_init(&gdev->ring.lock);
+	INIT_LIST_HEAD(&gdev->ring.list);
 	ring_ended = 0;
 	test->priv = gdev;
 	return 0;
 }
 
-static struct ring_job *ring_push(struct kunit *test)
+static struct ring_job *ring_push_job_of(struct kunit *test, struct gloss_file *file)
 {
 	struct ring_job *job = kunit_kzalloc(test, sizeof(*job), GFP_KERNEL);
 
 	KUNIT_ASSERT_NOT_NULL(test, job);
+	job->job.file = file;
 	gloss_ring_push(test->priv, &job->job);
 	return job;
+}
+
+static struct ring_job *ring_push(struct kunit *test)
+{
+	return ring_push_job_of(test, NULL);
+}
+
+/* What the driver does after a reset. */
+static void ring_restart(struct kunit *test)
+{
+	struct gloss_device *gdev = test->priv;
+
+	mutex_lock(&gdev->ring.push_lock);
+	gloss_ring_rewind(&gdev->ring);
+	KUNIT_EXPECT_EQ(test, gloss_ring_start(gdev), 0);
+	mutex_unlock(&gdev->ring.push_lock);
 }
 
 /* What a board writes when it has ended the job in @entry. */
@@ -170,9 +204,7 @@ static void ring_guilty_is_refused_when_it_comes_again(struct kunit *test)
 	KUNIT_EXPECT_EQ(test, gdev->ring.fault.sequence, guilty->job.sequence);
 	KUNIT_EXPECT_EQ(test, gdev->ring.fault.dma_address, 0x1234);
 
-	gloss_ring_rewind(&gdev->ring);
-	gloss_ring_push(gdev, &first->job);
-	gloss_ring_push(gdev, &guilty->job);
+	ring_restart(test);
 	KUNIT_EXPECT_EQ(test, ring_descriptor(test, 0, 1), 6);
 	KUNIT_EXPECT_EQ(test, ring_descriptor(test, 1, 1), 0);
 	ring_complete(test, 0, first->job.sequence, 0);
@@ -220,22 +252,80 @@ static void ring_of_a_board_that_has_gone_takes_no_job(struct kunit *test)
 	KUNIT_EXPECT_TRUE(test, gloss_ring_idle(&gdev->ring));
 }
 
-static void ring_rewound_is_empty(struct kunit *test)
+/* From the first entry on, and records of before the reset are nobody's. */
+static void ring_restarted_has_what_had_not_ended(struct kunit *test)
 {
 	struct gloss_device *gdev = test->priv;
 	struct ring_job *first = ring_push(test), *second = ring_push(test);
 	u32 sequence = second->job.sequence;
 
+	second->job.stream_words = 5;
 	ring_complete(test, 0, first->job.sequence, 0);
-	gloss_ring_rewind(&gdev->ring);
-	KUNIT_EXPECT_TRUE(test, gloss_ring_idle(&gdev->ring));
-	KUNIT_EXPECT_EQ(test, first->job.state, GLOSS_JOB_WAITING);
-	KUNIT_EXPECT_EQ(test, ring_ended, 0);
-
-	gloss_ring_push(gdev, &second->job);
+	KUNIT_EXPECT_EQ(test, gloss_ring_reap(&gdev->ring), 1);
+	ring_restart(test);
+	KUNIT_EXPECT_FALSE(test, gloss_ring_idle(&gdev->ring));
 	KUNIT_EXPECT_EQ(test, gloss_read(gdev, GLOSS_REG_TAIL), 1);
+	KUNIT_EXPECT_EQ(test, ring_descriptor(test, 0, 1), 5);
 	KUNIT_EXPECT_NE(test, second->job.sequence, sequence);
 	KUNIT_EXPECT_EQ(test, gloss_ring_reap(&gdev->ring), 0);
+	KUNIT_EXPECT_EQ(test, second->ended, 0);
+
+	ring_complete(test, 0, second->job.sequence, 0);
+	KUNIT_EXPECT_EQ(test, gloss_ring_reap(&gdev->ring), 1);
+}
+
+static void ring_of_a_board_that_sleeps_is_told_when_it_wakes(struct kunit *test)
+{
+	struct gloss_device *gdev = test->priv;
+
+	gdev->ring.asleep = true;
+	ring_push(test);
+	KUNIT_EXPECT_FALSE(test, gloss_ring_idle(&gdev->ring));
+	KUNIT_EXPECT_EQ(test, gloss_read(gdev, GLOSS_REG_TAIL), 0);
+	ring_restart(test);
+	KUNIT_EXPECT_EQ(test, gloss_read(gdev, GLOSS_REG_TAIL), 1);
+}
+
+/* Of the job at the head what it has not used up, of others all they have. */
+static void ring_job_has_a_limit(struct kunit *test)
+{
+	struct gloss_device *gdev = test->priv;
+	struct ring_job *first;
+	int error;
+
+	KUNIT_EXPECT_EQ(test, gloss_ring_left_ms(&gdev->ring, 700, &error), 700);
+	first = ring_push(test);
+	ring_push(test);
+	first->job.begun = ktime_sub_ms(first->job.begun, 300);
+	KUNIT_EXPECT_LE(test, gloss_ring_left_ms(&gdev->ring, 700, &error), 400);
+	KUNIT_EXPECT_GT(test, gloss_ring_left_ms(&gdev->ring, 1000000, &error), 0);
+	KUNIT_EXPECT_LE(test, gloss_ring_left_ms(&gdev->ring, 300, &error), 0);
+	KUNIT_EXPECT_EQ(test, error, -ETIME);
+}
+
+static void ring_job_of_a_closed_file_has_a_lower_limit(struct kunit *test)
+{
+	struct gloss_file *closed = kunit_kzalloc(test, sizeof(*closed), GFP_KERNEL);
+	struct gloss_device *gdev = test->priv;
+	struct ring_job *first, *second;
+	int error;
+
+	KUNIT_ASSERT_NOT_NULL(test, closed);
+	first = ring_push(test);
+	second = ring_push_job_of(test, closed);
+	closed->closed = true;
+	KUNIT_EXPECT_EQ(test, gloss_ring_left_ms(&gdev->ring, 1000000, &error),
+			GLOSS_CLOSED_LIMIT_MS);
+	KUNIT_EXPECT_EQ(test, gloss_ring_left_ms(&gdev->ring, GLOSS_CLOSED_LIMIT_MS / 2, &error),
+			GLOSS_CLOSED_LIMIT_MS / 2);
+	KUNIT_EXPECT_EQ(test, error, -ETIME);
+
+	ring_complete(test, 0, first->job.sequence, 0);
+	gloss_ring_reap(&gdev->ring);
+	gdev->ring.idle = 0;
+	second->job.begun = ktime_sub_ms(second->job.begun, GLOSS_CLOSED_LIMIT_MS);
+	KUNIT_EXPECT_LE(test, gloss_ring_left_ms(&gdev->ring, 1000000, &error), 0);
+	KUNIT_EXPECT_EQ(test, error, -ECANCELED);
 }
 
 /* The time of one job ends where that of the next begins. */
@@ -263,7 +353,10 @@ static struct kunit_case ring_cases[] = {
 	KUNIT_CASE(ring_first_is_guilty_when_none_is_named),
 	KUNIT_CASE(ring_blames_nobody_for_a_board_that_hangs_on_nothing),
 	KUNIT_CASE(ring_of_a_board_that_has_gone_takes_no_job),
-	KUNIT_CASE(ring_rewound_is_empty),
+	KUNIT_CASE(ring_restarted_has_what_had_not_ended),
+	KUNIT_CASE(ring_of_a_board_that_sleeps_is_told_when_it_wakes),
+	KUNIT_CASE(ring_job_has_a_limit),
+	KUNIT_CASE(ring_job_of_a_closed_file_has_a_lower_limit),
 	KUNIT_CASE(ring_time_is_counted_once),
 	{}
 };

@@ -6,10 +6,11 @@
  * coherent memory; for each it writes a completion record there and then interrupts.
  * So in good times the driver writes one register for a job, and reads none.
  *
- * A record is told from what was in its place before by the job's sequence number. These
- * go on counting through resets, and a job that is run again gets a new one. Zero, which
- * empty memory has, is left out.
+ * A record belongs to a job if it has the job's sequence number; else it is an older one.
+ * These numbers go on counting through resets, and a job that is run again gets a new one.
+ * None is zero, as that is what fresh memory has.
  */
+#include <drm/drm_managed.h>
 #include <linux/bitfield.h>
 #include <linux/dma-mapping.h>
 
@@ -20,8 +21,15 @@ int gloss_ring_init(struct gloss_device *gdev)
 {
 	struct gloss_ring *ring = &gdev->ring;
 
+	int ret;
+
+	ret = drmm_mutex_init(&gdev->drm, &ring->push_lock);
+	if (ret)
+		return ret;
+
 	spin_lock_init(&ring->lock);
 	spin_lock_init(&ring->fence_lock);
+	INIT_LIST_HEAD(&ring->list);
 	ring->fence_context = dma_fence_context_alloc(1);
 	ring->shared = dmam_alloc_coherent(gdev->drm.dev, sizeof(*ring->shared), &ring->address,
 					   GFP_KERNEL);
@@ -70,25 +78,27 @@ static void gloss_ring_put(struct gloss_ring *ring, unsigned int entry,
 			       job->response_list);
 }
 
+/* Writes the job's descriptor; the board does not look before it is told the new tail. */
 static void gloss_ring_add(struct gloss_ring *ring, struct gloss_job *job)
 {
-	unsigned int entry = ring->tail % GLOSS_RING_ENTRIES;
-
 	if (!++ring->sequence)
 		ring->sequence++;
 	job->sequence = ring->sequence;
+	job->refused = job->refused ?: gloss_job_refusal(job);
 	job->state = GLOSS_JOB_RUNNING;
 	job->begun = ktime_get();
-	gloss_ring_put(ring, entry, job);
-	ring->job[entry] = job;
+	gloss_ring_put(ring, ring->tail % GLOSS_RING_ENTRIES, job);
 	ring->tail++;
 	trace_gloss_run(job);
 }
 
-/*
- * Gives the board a job, or ends it if the board has gone. Only one thread at a time does
- * this: the scheduler's, or the one that has stopped it.
- */
+static void gloss_ring_tell_tail(struct gloss_device *gdev)
+{
+	lockdep_assert_held(&gdev->ring.push_lock);
+	gloss_write(gdev, GLOSS_REG_TAIL, FIELD_PREP(GLOSS_REG_TAIL_JOBS, gdev->ring.tail));
+}
+
+/* Gives the board a job; while it sleeps, when it wakes up. Ends it if the board has gone. */
 void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job)
 {
 	const struct drm_gloss_status gone = { .error = -ENODEV };
@@ -96,23 +106,27 @@ void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job)
 	unsigned long flags;
 	bool added;
 
+	mutex_lock(&ring->push_lock);
 	spin_lock_irqsave(&ring->lock, flags);
 	added = !gloss_device_gone(gdev);
-	if (added)
+	if (added) {
+		list_add_tail(&job->ring_node, &ring->list);
 		gloss_ring_add(ring, job);
-	else
+	} else {
 		gloss_job_end(job, &gone);
+	}
 	spin_unlock_irqrestore(&ring->lock, flags);
 
-	if (added)
-		gloss_write(gdev, GLOSS_REG_TAIL, FIELD_PREP(GLOSS_REG_TAIL_JOBS, ring->tail));
+	if (added && !ring->asleep)
+		gloss_ring_tell_tail(gdev);
+	mutex_unlock(&ring->push_lock);
 }
 
 /* The job at the ring's head, or NULL. */
 static struct gloss_job *gloss_ring_first(struct gloss_ring *ring)
 {
 	lockdep_assert_held(&ring->lock);
-	return ring->head == ring->tail ? NULL : ring->job[ring->head % GLOSS_RING_ENTRIES];
+	return list_first_entry_or_null(&ring->list, struct gloss_job, ring_node);
 }
 
 /* Whether the board has ended the job at the ring's head, and how. */
@@ -136,13 +150,18 @@ static bool gloss_ring_ended(struct gloss_ring *ring, const struct gloss_job *jo
 	return true;
 }
 
-/* The board worked for a job since it had it, but not before the job ahead had ended. */
+/* The board works for a job since it has it, but not before the job ahead has ended. */
 static s64 gloss_ring_worked_ns(const struct gloss_ring *ring, const struct gloss_job *job,
 				ktime_t now)
 {
 	ktime_t begun = ktime_after(job->begun, ring->idle) ? job->begun : ring->idle;
 
 	return ktime_to_ns(ktime_sub(now, begun));
+}
+
+static s64 gloss_ring_worked_ms(const struct gloss_ring *ring, const struct gloss_job *job)
+{
+	return div_s64(gloss_ring_worked_ns(ring, job, ktime_get()), NSEC_PER_MSEC);
 }
 
 /* The board has ended a job, or was reset while it had it. */
@@ -188,6 +207,7 @@ static void gloss_ring_note_fault(struct gloss_ring *ring, const struct gloss_jo
 static void gloss_ring_end(struct gloss_ring *ring, struct gloss_job *job,
 			   const struct drm_gloss_status *status)
 {
+	list_del(&job->ring_node);
 	ring->head++;
 	ring->jobs++;
 	gloss_ring_account(ring, job);
@@ -227,26 +247,25 @@ void gloss_ring_fail(struct gloss_ring *ring, int error)
 }
 
 /*
- * Finds who is to blame for a hang: the job with @sequence, or else the first. It will
- * not be run again, but end with -EIO when its turn comes. False: there is nobody to
- * blame, as not even an empty job can be run.
+ * Finds who is to blame for a reset: the job with @sequence, or else the first. It will not
+ * be run again, but end with the error of @fault, which is completed. False: there is nobody
+ * to blame, as not even an empty job can be run.
  */
 bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault)
 {
-	struct gloss_job *job;
+	struct gloss_job *job, *named;
 	unsigned long flags;
 	bool found;
-	u16 at;
 
 	spin_lock_irqsave(&ring->lock, flags);
 	job = gloss_ring_first(ring);
-	for (at = ring->head; at != ring->tail; at++)
-		if (ring->job[at % GLOSS_RING_ENTRIES]->sequence == sequence)
-			job = ring->job[at % GLOSS_RING_ENTRIES];
+	list_for_each_entry(named, &ring->list, ring_node)
+		if (named->sequence == sequence)
+			job = named;
 	found = job && job->hangs++ < GLOSS_JOB_HANGS;
 	if (found) {
 		trace_gloss_reset(job->gdev, job);
-		job->refused = job->refused ?: -EIO;
+		gloss_job_refuse(job, fault->status.error);
 		gloss_ring_note_fault(ring, job, &fault->status);
 		ring->fault.dma_address = fault->dma_address;
 		*fault = ring->fault;
@@ -255,10 +274,52 @@ bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_f
 	return found;
 }
 
+/* For how long the job at the ring's head has run; 0 without one. */
+s64 gloss_ring_ran_ms(struct gloss_ring *ring)
+{
+	const struct gloss_job *job;
+	unsigned long flags;
+	s64 ran = 0;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	job = gloss_ring_first(ring);
+	if (job)
+		ran = gloss_ring_worked_ms(ring, job);
+	spin_unlock_irqrestore(&ring->lock, flags);
+	return ran;
+}
+
+static bool gloss_ring_job_closed(const struct gloss_job *job)
+{
+	return job->file && READ_ONCE(job->file->closed);
+}
+
 /*
- * After a reset: empties the ring. Its jobs wait again, and are pushed again by whoever
- * has stopped the scheduler.
+ * In how many milliseconds a job of the ring can have run too long. If that is not positive,
+ * the job at its head has, and is to end with @error.
  */
+s64 gloss_ring_left_ms(struct gloss_ring *ring, unsigned int limit_ms, int *error)
+{
+	unsigned int closed_ms = min_t(unsigned int, limit_ms, GLOSS_CLOSED_LIMIT_MS);
+	const struct gloss_job *job, *first;
+	unsigned long flags;
+	s64 left = limit_ms;
+
+	spin_lock_irqsave(&ring->lock, flags);
+	first = gloss_ring_first(ring);
+	*error = first && gloss_ring_job_closed(first) ? -ECANCELED : -ETIME;
+	list_for_each_entry(job, &ring->list, ring_node) {
+		s64 limit = gloss_ring_job_closed(job) ? closed_ms : limit_ms;
+
+		if (job == first)
+			limit -= gloss_ring_worked_ms(ring, job);
+		left = min(left, limit);
+	}
+	spin_unlock_irqrestore(&ring->lock, flags);
+	return left;
+}
+
+/* Between a reset and gloss_ring_start(): writes the ring anew, from its first entry on. */
 void gloss_ring_rewind(struct gloss_ring *ring)
 {
 	struct gloss_job *job;
@@ -268,17 +329,28 @@ void gloss_ring_rewind(struct gloss_ring *ring)
 	job = gloss_ring_first(ring);
 	if (job)
 		gloss_ring_account(ring, job);
-	for (; (job = gloss_ring_first(ring)); ring->head++)
-		job->state = GLOSS_JOB_WAITING;
 	ring->head = 0;
 	ring->tail = 0;
 	ring->seen_head = 0;
 	ring->seen_progress = 0;
+	ring->seen = ktime_get();
 	memset(ring->shared->completion, 0, sizeof(ring->shared->completion));
+	list_for_each_entry(job, &ring->list, ring_node)
+		gloss_ring_add(ring, job);
 	spin_unlock_irqrestore(&ring->lock, flags);
+}
+
+/* Starts the board, which has been reset, on the jobs that the ring has. */
+int gloss_ring_start(struct gloss_device *gdev)
+{
+	int ret = gloss_device_start(gdev);
+
+	if (!ret && !gloss_ring_idle(&gdev->ring))
+		gloss_ring_tell_tail(gdev);
+	return ret;
 }
 
 bool gloss_ring_idle(struct gloss_ring *ring)
 {
-	return READ_ONCE(ring->head) == READ_ONCE(ring->tail);
+	return list_empty_careful(&ring->list);
 }

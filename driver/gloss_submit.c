@@ -133,7 +133,7 @@ static bool gloss_submit_slot_valid(const struct drm_gloss_slot *slot, u64 size)
 	       gloss_submit_inside(slot->offset, slot->size, size);
 }
 
-static int gloss_submit_slot(struct gloss_job *job, struct drm_file *file,
+static int gloss_submit_slot(struct gloss_job *job, struct drm_file *file, u32 priority,
 			     const struct drm_gloss_slot *slot, struct gloss_job_slot *to)
 {
 	struct drm_gem_object *object;
@@ -152,7 +152,7 @@ static int gloss_submit_slot(struct gloss_job *job, struct drm_file *file,
 		drm_gem_object_put(object);
 		return -EINVAL;
 	}
-	ret = gloss_clear_board(to_gloss_board(object));
+	ret = gloss_clear_board(to_gloss_board(object), job->file, priority);
 	if (ret) {
 		drm_gem_object_put(object);
 		return ret;
@@ -176,7 +176,7 @@ static int gloss_submit_slots(struct gloss_job *job, struct drm_file *file,
 	for (i = 0; i < args->slot_count && !ret; i++) {
 		if (copy_from_user(&slot, from + i, sizeof(slot)))
 			return -EFAULT;
-		ret = gloss_submit_slot(job, file, &slot, &job->slot[i]);
+		ret = gloss_submit_slot(job, file, args->priority, &slot, &job->slot[i]);
 	}
 	return ret;
 }
@@ -220,6 +220,23 @@ static int gloss_submit_job(struct gloss_job *job, struct drm_file *file,
 	return ret;
 }
 
+/*
+ * Jobs that are queued take up memory of the kernel: there is an end to it. Who has so many
+ * waits for one of them, as for a full pipe.
+ */
+static int gloss_submit_wait_for_room(struct gloss_device *gdev, const struct drm_file *file)
+{
+	const struct gloss_file *gfile = file->driver_priv;
+
+	if (atomic_read(&gfile->jobs_queued) < GLOSS_FILE_JOBS)
+		return 0;
+	if (file->filp->f_flags & O_NONBLOCK)
+		return -EAGAIN;
+	return wait_event_interruptible(gdev->jobs_wait,
+					atomic_read(&gfile->jobs_queued) < GLOSS_FILE_JOBS ||
+					gloss_device_gone(gdev));
+}
+
 int gloss_submit_ioctl(struct drm_device *drm, void *data, struct drm_file *file)
 {
 	struct gloss_device *gdev = to_gloss_device(drm);
@@ -231,11 +248,11 @@ int gloss_submit_ioctl(struct drm_device *drm, void *data, struct drm_file *file
 	if (gloss_device_gone(gdev))
 		return -ENODEV;
 
-	ret = gloss_submit_check(drm, args);
+	ret = gloss_submit_check(drm, args) ?: gloss_submit_wait_for_room(gdev, file);
 	if (ret)
 		return ret;
 
-	job = gloss_job_new(gdev, gfile, &gfile->entity[args->priority]);
+	job = gloss_job_new(gdev, gfile, args->priority);
 	if (IS_ERR(job))
 		return PTR_ERR(job);
 

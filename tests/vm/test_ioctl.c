@@ -93,6 +93,8 @@ static void parameters_are_plausible(void **state)
 		{ DRM_GLOSS_PARAM_SLOTS, GLOSS_SLOTS, GLOSS_SLOTS },
 		{ DRM_GLOSS_PARAM_STREAM_WORDS_MAX, NODE_PAGE, UINT32_MAX },
 		{ DRM_GLOSS_PARAM_JOBS_LOST, 0, 0 },
+		{ DRM_GLOSS_PARAM_JOB_LIMIT, 1, UINT32_MAX },
+		{ DRM_GLOSS_PARAM_JOBS_QUEUED, 2, 1 << 20 },
 	};
 	uint64_t value;
 
@@ -109,7 +111,7 @@ static void unknown_parameters_are_refused(void **state)
 	uint64_t value;
 
 	(void)state;
-	assert_int_equal(node_param(client.fd, DRM_GLOSS_PARAM_JOBS_LOST + 1, &value), -EINVAL);
+	assert_int_equal(node_param(client.fd, DRM_GLOSS_PARAM_JOBS_QUEUED + 1, &value), -EINVAL);
 	assert_int_equal(node_param(client.fd, ~0u, &value), -EINVAL);
 	assert_int_equal(node_ioctl(client.fd, DRM_IOCTL_GLOSS_GET_PARAM, &get), -EINVAL);
 }

@@ -19,6 +19,8 @@
 #define EXIT_SKIP     77
 #define RENDER_GROUP  105 /* where the host has no group "render" */
 #define FAULT_TIMEOUT "timeout_ms=500"
+/* The boards are programs: on a busy machine a job of theirs may take long. */
+#define JOB_LIMIT "job_limit_ms=120000"
 #define STEP_SECONDS  300
 #define NODE_MS	      10000
 
@@ -178,7 +180,7 @@ static bool load(void)
 {
 	char module[512];
 	char *modprobe[PLAN_MODULES + 5] = { "modprobe", "-a", "-d", plan.modules };
-	char *insmod[] = { "insmod", module, FAULT_TIMEOUT, NULL };
+	char *insmod[] = { "insmod", module, FAULT_TIMEOUT, JOB_LIMIT, NULL };
 
 	for (int i = 0; i < plan.modprobes; i++)
 		modprobe[i + 4] = plan.modprobe[i];
