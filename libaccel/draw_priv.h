@@ -186,6 +186,10 @@ void accel_lighting_init(struct accel_lighting *lighting, const struct accel_sta
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
 			   const float normal[3], const float paint[4],
 			   struct accel_sample *sample);
+/* What one lamp alone adds to the colour there. */
+void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
+			 const struct accel_lamp *lamp, const float eye[3], const float normal[3],
+			 const float paint[4], float colour[3]);
 /* @x to the power of @n, 0 <= x <= 1, 0 <= n; 0 below 2^-126. */
 float accel_lighting_power(float x, float n);
 

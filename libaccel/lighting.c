@@ -256,34 +256,62 @@ static void add_lamp(const struct accel_lighting *lighting, const struct accel_l
 				     highlight * lamp->specular[side][i];
 }
 
+/* Returns 1/distance^2 of the viewer, 0 if it is far away. */
+static float point_init(const struct accel_lighting *lighting, int side, const float eye[3],
+			const float normal[3], const float paint[4], struct point *point)
+{
+	float sign = side ? -1 : 1, distance;
+
+	*point = (struct point){ .eye = eye, .paint = paint, .viewer = { 0, 0, 1 } };
+	for (int i = 0; i < 3; i++)
+		point->normal[i] = sign * normal[i];
+	normalise(point->normal);
+	if (!lighting->local_viewer)
+		return 0;
+	for (int i = 0; i < 3; i++)
+		point->viewer[i] = -eye[i];
+	distance = normalise(point->viewer);
+	return 1 / (distance * distance);
+}
+
+static void clamp_colour(float colour[3])
+{
+	for (int i = 0; i < 3; i++) {
+		/* Also turns what is not a number into 0. */
+		float value = colour[i] > 0 ? colour[i] : 0;
+
+		colour[i] = value < ACCEL_COLOUR_MAX ? value : ACCEL_COLOUR_MAX;
+	}
+}
+
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
 			   const float normal[3], const float paint[4],
 			   struct accel_sample *sample)
 {
 	const struct accel_finish *finish = &lighting->finish[side];
-	struct point point = { .eye = eye, .paint = paint, .viewer = { 0, 0, 1 } };
-	float sign = side ? -1 : 1, distance;
+	struct point point;
 
 	*sample = (struct accel_sample){ .shine = -1 };
-	for (int i = 0; i < 3; i++) {
+	sample->near = point_init(lighting, side, eye, normal, paint, &point);
+	for (int i = 0; i < 3; i++)
 		sample->colour[i] = finish->base[i] * paint[i] + finish->emission[i];
-		point.normal[i] = sign * normal[i];
-	}
-	normalise(point.normal);
-	if (lighting->local_viewer) {
-		for (int i = 0; i < 3; i++)
-			point.viewer[i] = -eye[i];
-		distance = normalise(point.viewer);
-		sample->near = 1 / (distance * distance);
-	}
 	for (int i = 0; i < lighting->lamps; i++)
 		add_lamp(lighting, &lighting->lamp[i], side, &point, sample);
 	sample->near = sample->near_lamp > sample->near ? sample->near_lamp : sample->near;
-	for (int i = 0; i < 3; i++) {
-		/* Also turns what is not a number into 0. */
-		float colour = sample->colour[i] > 0 ? sample->colour[i] : 0;
-
-		sample->colour[i] = colour < ACCEL_COLOUR_MAX ? colour : ACCEL_COLOUR_MAX;
-	}
+	clamp_colour(sample->colour);
 	sample->colour[3] = finish->alpha * paint[3];
+}
+
+void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
+			 const struct accel_lamp *lamp, const float eye[3], const float normal[3],
+			 const float paint[4], float colour[3])
+{
+	struct accel_sample sample = { .shine = -1 };
+	struct point point;
+
+	point_init(lighting, side, eye, normal, paint, &point);
+	add_lamp(lighting, lamp, side, &point, &sample);
+	clamp_colour(sample.colour);
+	for (int i = 0; i < 3; i++)
+		colour[i] = sample.colour[i];
 }
