@@ -201,7 +201,7 @@ int accel_target_read_depth(struct accel_target *target, void *pixels, size_t pi
 /* ---- state: everything a draw depends on but the mesh ---- */
 
 enum accel_shading {
-	ACCEL_SHADING_GOURAUD,		/* colour at vertices, linear between: what OpenGL says */
+	ACCEL_SHADING_GOURAUD,		/* lit at vertices, linear in space between: as OpenGL */
 	ACCEL_SHADING_ADAPTIVE,		/* the default: as much as each triangle needs (SH-ADAPT) */
 	ACCEL_SHADING_QUADRATIC,	/* a second-order surface on each triangle (SH-QSURF) */
 	ACCEL_SHADING_FLAT		/* one colour a triangle */
@@ -350,7 +350,15 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
  * position array; nothing of the mesh is drawn then. After -ENOMEM the frame is empty.
  *
  * Pixels are covered by OpenGL's rule, vertices rounded to 1/16 pixel. Shading
- * changes neither coverage nor depth, so passes with different shading meet.
+ * changes neither coverage nor depth, so passes with different shading meet. A
+ * pixel is where it should be if the coordinates of its triangle, in clip space,
+ * are at most 2^50 times w; beyond, edges may be drawn elsewhere.
+ *
+ * Colours of vertices are linear in space between them, clipped or not, with
+ * ACCEL_SHADING_GOURAUD and, without lighting, ADAPTIVE: within 2/255, alpha 4/255, where w differs by a
+ * factor of up to 10 along each edge and the triangle is a pixel or more across.
+ * Where it differs by less than one in a hundred that takes one record of linear
+ * colours in a tile; by more, second-order surfaces or parts of the triangle.
  */
 int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh);

@@ -22,6 +22,7 @@ static void between(const struct accel_corner *inside, const struct accel_corner
 	}
 	for (int i = 0; i < 4; i++)
 		corner->vertex.paint[i] = a->paint[i] + s * (b->paint[i] - a->paint[i]);
+	corner->vertex.level = 0;
 	corner->vertex.sampled = 0;
 }
 

@@ -182,6 +182,7 @@ static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 		.mesh = mesh,
 		.lit = state->lighting,
 		.painted = state->lighting && state->colour_material && mesh->colour,
+		.interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};

@@ -8,6 +8,7 @@
  *   clip.c       triangles that leave the view volume or the guard band
  *   lighting.c   colour at a point of a surface
  *   shading.c    what an edge needs: a straight line, a second-order curve, a split
+ *   interpolate.c  the same for colours that only vertices have
  *   split.c      what a triangle needs; splitting it at edge midpoints
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
@@ -84,6 +85,7 @@ struct accel_vertex {
 	float eye[3];
 	float normal[3];		/* eye space; unit at a mesh's vertices, linear between */
 	float paint[4];			/* the mesh's colour, where it is the material's; else 1 */
+	int level;			/* splits that made it, up to ACCEL_SPLIT_LEVELS */
 	unsigned int sampled;		/* 0 no, 1 as front, 2 as back side */
 	struct accel_sample sample;
 };
@@ -208,6 +210,7 @@ struct accel_pass {
 	const struct accel_state *state;
 	const struct accel_mesh *mesh;
 	bool lit, painted;
+	bool interpolated;		/* points between vertices are not lit */
 	struct accel_transform transform;
 	struct accel_lighting lighting;
 	struct accel_vertex *vertex;	/* of the mesh */
@@ -232,15 +235,28 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 /* The vertex in the middle of an edge on the screen, not sampled. */
 void accel_shading_middle(const struct accel_vertex *a, const struct accel_vertex *b,
 			  struct accel_vertex *middle);
-/* What the edge between two sampled vertices needs. */
+/* Has the middle of an edge a place of its own? */
+bool accel_shading_divisible(const struct accel_vertex *a, const struct accel_vertex *b);
+/* What the edge between two sampled vertices needs; a split only if it is divisible. */
 void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *b, int side, struct accel_edge *edge);
 /* The same for vertices of the mesh, worked out once for both triangles. */
 void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t b, int side,
 			     struct accel_edge *edge);
+/* The middle of a triangle on the screen, not sampled. */
+void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
 /* Must the triangle be split although none of its edges is? */
 bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch,
 			  int side);
+
+/* ---- interpolate.c ---- */
+
+/* Are all edges straight lines, whatever the colours? */
+bool accel_interpolate_straight(const struct accel_vertex *const vertex[3]);
+/* As accel_shading_edge and accel_shading_inside, where pass->interpolated. */
+void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_vertex *b,
+			    struct accel_edge *edge);
+bool accel_interpolate_inside(const struct accel_patch *patch);
 
 /* ---- setup.c ---- */
 

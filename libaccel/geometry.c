@@ -236,6 +236,7 @@ int accel_geometry_vertex(const struct accel_transform *transform, const float p
 	vertex->outside = outside(&transform->window, clip);
 	if (!(vertex->outside & ACCEL_OUTSIDE_CLIP))
 		accel_geometry_project(&transform->window, clip, vertex);
+	vertex->level = 0;
 	vertex->sampled = 0;
 	return 0;
 }

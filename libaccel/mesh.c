@@ -125,6 +125,33 @@ static int draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int c
 	return err;
 }
 
+static int clip(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
+		const uint32_t index[3], uint32_t planes,
+		struct accel_corner polygon[ACCEL_POLYGON_MAX])
+{
+	for (int i = 0; i < 3; i++) {
+		accel_geometry_clip_space(&pass->transform, pass->mesh->position[index[i]],
+					  polygon[i].clip);
+		polygon[i].vertex = *vertex[i];
+		polygon[i].vertex.sampled = 0;
+	}
+	return accel_clip_polygon(&pass->transform.window, planes, polygon);
+}
+
+/* The same, with the light at the triangle's own vertices to interpolate between. */
+static void clip_lit(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
+		     const uint32_t index[3], uint32_t planes, int side,
+		     struct accel_corner polygon[ACCEL_POLYGON_MAX])
+{
+	int corners;
+
+	for (int i = 0; i < 3; i++)
+		accel_shading_vertex(pass, vertex[i], side);
+	corners = clip(pass, vertex, index, planes, polygon);
+	for (int i = 0; i < corners; i++)
+		polygon[i].vertex.sampled = 1u + (unsigned int)side;
+}
+
 static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
 			const uint32_t index[3], uint32_t planes)
 {
@@ -133,19 +160,15 @@ static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vert
 	int64_t area;
 	int corners, side;
 
-	for (int i = 0; i < 3; i++) {
-		accel_geometry_clip_space(&pass->transform, pass->mesh->position[index[i]],
-					  polygon[i].clip);
-		polygon[i].vertex = *vertex[i];
-		polygon[i].vertex.sampled = 0;
-	}
 	flat.sampled = 0;
-	corners = accel_clip_polygon(&pass->transform.window, planes, polygon);
+	corners = clip(pass, vertex, index, planes, polygon);
 	area = polygon_area(polygon, corners);
 	side = visible_side(pass->state, area);
 	if (side < 0)
 		return cull(pass);
 	pass->stats->clipped++;
+	if (pass->lit && pass->interpolated)
+		clip_lit(pass, vertex, index, planes, side, polygon);
 	return draw_fan(pass, polygon, corners, &flat, area, side);
 }
 

@@ -35,9 +35,14 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 	if (vertex->sampled == 1u + (unsigned int)side)
 		return;
 	vertex->sampled = 1u + (unsigned int)side;
-	if (pass->lit)
-		accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal,
-				      vertex->paint, &vertex->sample);
+	if (!pass->lit)
+		return;
+	accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal,
+			      vertex->paint, &vertex->sample);
+	/* OpenGL clamps before it interpolates. */
+	for (int i = 0; i < 3 && pass->interpolated; i++)
+		if (vertex->sample.colour[i] > 1)
+			vertex->sample.colour[i] = 1;
 }
 
 /* How far from @a and from @b, in space, the point is that is halfway on the screen. */
@@ -61,6 +66,7 @@ void accel_shading_middle(const struct accel_vertex *a, const struct accel_verte
 	middle->w = s * a->w + t * b->w;
 	middle->z = (a->z + b->z) / 2;
 	middle->outside = 0;
+	middle->level = (a->level > b->level ? a->level : b->level) + 1;
 	middle->sampled = 0;
 	middle->sample = (struct accel_sample){ 0 };
 	for (int i = 0; i < 3; i++) {
@@ -71,6 +77,11 @@ void accel_shading_middle(const struct accel_vertex *a, const struct accel_verte
 		middle->sample.colour[i] = s * a->sample.colour[i] + t * b->sample.colour[i];
 		middle->paint[i] = s * a->paint[i] + t * b->paint[i];
 	}
+}
+
+bool accel_shading_divisible(const struct accel_vertex *a, const struct accel_vertex *b)
+{
+	return a->level < ACCEL_SPLIT_LEVELS && b->level < ACCEL_SPLIT_LEVELS;
 }
 
 static float dot(const float a[3], const float b[3])
@@ -163,13 +174,10 @@ static float bend(const struct accel_pass *pass, const struct accel_vertex *a,
 		  const struct accel_vertex *b, const struct accel_finish *finish,
 		  const struct span *span)
 {
-	float change = 0, strength = 0, w = fabsf(a->w - b->w) / (2 * (a->w + b->w));
+	float change = 0, strength = finish->diffuse, w = fabsf(a->w - b->w) / (2 * (a->w + b->w));
 
 	for (int i = 0; i < 3; i++)
 		change = larger(change, fabsf(a->sample.colour[i] - b->sample.colour[i]));
-	if (!pass->lit)
-		return change * w;
-	strength = finish->diffuse;
 	/* Within half the edge of one of its ends. */
 	if (highlight_near(finish, span->shine, span->spread / 4))
 		strength += finish->specular * larger(finish->shininess, 1);
@@ -207,7 +215,7 @@ static bool wants_split(const struct accel_pass *pass, const struct accel_vertex
 			const struct span *span, float off_line)
 {
 	const struct accel_finish *finish = &pass->lighting.finish[side];
-	float narrow = pass->lit ? span->spread * finish->shininess : 0;
+	float narrow = span->spread * finish->shininess;
 	bool shines = narrow > HIGHLIGHT_WIDE &&
 		highlight_near(finish, larger(span->shine, middle->sample.shine),
 			       span->spread / 16);
@@ -303,7 +311,8 @@ static void sampled_edge(const struct accel_pass *pass, const struct accel_verte
 	edge->middle = middle.sample;
 	edge->sampled = true;
 	off_line = deviation(edge->colour, middle.sample.colour);
-	edge->split = adaptive && wants_split(pass, a, &middle, b, side, span, off_line);
+	edge->split = adaptive && accel_shading_divisible(a, b) &&
+		      wants_split(pass, a, &middle, b, side, span, off_line);
 	edge->curved = !adaptive || off_line >= STRAIGHT;
 	if (!edge->curved)
 		return;
@@ -318,6 +327,10 @@ void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex
 	const struct accel_finish *finish = &pass->lighting.finish[side];
 	struct span span;
 
+	if (pass->interpolated && pass->state->shading != ACCEL_SHADING_QUADRATIC) {
+		accel_interpolate_edge(a, b, edge);
+		return;
+	}
 	span_init(pass, a, b, &span);
 	*edge = (struct accel_edge){ .spread = span.spread };
 	for (int i = 0; i < 3; i++)
@@ -349,9 +362,7 @@ void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t
 	*edge = entry->edge;
 }
 
-/* The middle of a triangle on the screen, sampled. */
-static void centre(const struct accel_pass *pass, const struct accel_patch *patch, int side,
-		   struct accel_vertex *vertex)
+void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *vertex)
 {
 	float weight[3], sum = 0;
 
@@ -373,7 +384,6 @@ static void centre(const struct accel_pass *pass, const struct accel_patch *patc
 			vertex->paint[j] += part * corner->paint[j];
 		}
 	}
-	accel_shading_vertex(pass, vertex, side);
 }
 
 bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side)
@@ -382,11 +392,14 @@ bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 	struct accel_vertex middle;
 	float spread = 0, curve[3];
 
+	if (pass->interpolated)
+		return accel_interpolate_inside(patch);
 	for (int i = 0; i < 3; i++)
 		spread = larger(spread, patch->edge[i]->spread);
-	if (!pass->lit || !(spread * larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
+	if (!(spread * larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
 		return false;
-	centre(pass, patch, side, &middle);
+	accel_shading_centre(patch, &middle);
+	accel_shading_vertex(pass, &middle, side);
 	/* No point is farther from the middle than two thirds of the longest edge. */
 	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
 	    highlight_near(finish, middle.sample.shine, spread * 4 / 9))

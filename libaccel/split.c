@@ -20,7 +20,7 @@ struct cut {
 	struct accel_edge half[2];
 };
 
-static int draw_part(const struct whole *whole, const struct accel_patch *patch, int level);
+static int draw_part(const struct whole *whole, const struct accel_patch *patch);
 
 static void cut_init(const struct whole *whole, const struct accel_patch *patch, int i,
 		     struct cut *cut)
@@ -31,7 +31,7 @@ static void cut_init(const struct whole *whole, const struct accel_patch *patch,
 	if (patch->edge[i]->sampled) {
 		cut->middle.sample = patch->edge[i]->middle;
 		cut->middle.sampled = 1u + (unsigned int)whole->side;
-	} else {
+	} else if (!whole->pass->interpolated) {
 		accel_shading_vertex(whole->pass, &cut->middle, whole->side);
 	}
 	accel_shading_edge(whole->pass, a, &cut->middle, whole->side, &cut->half[0]);
@@ -45,7 +45,7 @@ static void inner_edge(const struct whole *whole, const struct accel_vertex *a,
 }
 
 /* Edge 0 into two: from its middle to the vertex opposite. */
-static int split_one(const struct whole *whole, const struct accel_patch *p, int level)
+static int split_one(const struct whole *whole, const struct accel_patch *p)
 {
 	const struct accel_vertex *const *v = p->vertex;
 	struct accel_edge inner;
@@ -56,16 +56,16 @@ static int split_one(const struct whole *whole, const struct accel_patch *p, int
 	inner_edge(whole, &cut.middle, v[2], &inner);
 	err = draw_part(whole, &(struct accel_patch){
 			{ v[0], &cut.middle, v[2] },
-			{ &cut.half[0], &inner, p->edge[2] } }, level);
+			{ &cut.half[0], &inner, p->edge[2] } });
 	if (err)
 		return err;
 	return draw_part(whole, &(struct accel_patch){
 			 { &cut.middle, v[1], v[2] },
-			 { &cut.half[1], p->edge[1], &inner } }, level);
+			 { &cut.half[1], p->edge[1], &inner } });
 }
 
 /* Edges 0 and 1: the corner between them, and two from what is left. */
-static int split_two(const struct whole *whole, const struct accel_patch *p, int level)
+static int split_two(const struct whole *whole, const struct accel_patch *p)
 {
 	const struct accel_vertex *const *v = p->vertex;
 	struct accel_edge across, inner;
@@ -78,21 +78,21 @@ static int split_two(const struct whole *whole, const struct accel_patch *p, int
 	inner_edge(whole, &cut[0].middle, v[2], &inner);
 	err = draw_part(whole, &(struct accel_patch){
 			{ &cut[0].middle, v[1], &cut[1].middle },
-			{ &cut[0].half[1], &cut[1].half[0], &across } }, level);
+			{ &cut[0].half[1], &cut[1].half[0], &across } });
 	if (err)
 		return err;
 	err = draw_part(whole, &(struct accel_patch){
 			{ &cut[0].middle, &cut[1].middle, v[2] },
-			{ &across, &cut[1].half[1], &inner } }, level);
+			{ &across, &cut[1].half[1], &inner } });
 	if (err)
 		return err;
 	return draw_part(whole, &(struct accel_patch){
 			 { v[0], &cut[0].middle, v[2] },
-			 { &cut[0].half[0], &inner, p->edge[2] } }, level);
+			 { &cut[0].half[0], &inner, p->edge[2] } });
 }
 
 /* All edges: three corners and the middle. */
-static int split_three(const struct whole *whole, const struct accel_patch *p, int level)
+static int split_three(const struct whole *whole, const struct accel_patch *p)
 {
 	struct accel_edge inner[3];	/* inner[i] cuts off vertex i */
 	struct cut cut[3];
@@ -107,13 +107,13 @@ static int split_three(const struct whole *whole, const struct accel_patch *p, i
 
 		err = draw_part(whole, &(struct accel_patch){
 			{ p->vertex[i], &cut[i].middle, &before->middle },
-			{ &cut[i].half[0], &inner[i], &before->half[1] } }, level);
+			{ &cut[i].half[0], &inner[i], &before->half[1] } });
 	}
 	if (err)
 		return err;
 	return draw_part(whole, &(struct accel_patch){
 		{ &cut[0].middle, &cut[1].middle, &cut[2].middle },
-		{ &inner[1], &inner[2], &inner[0] } }, level);
+		{ &inner[1], &inner[2], &inner[0] } });
 }
 
 static struct accel_patch rotate(const struct accel_patch *patch, int by)
@@ -141,33 +141,49 @@ static struct accel_patch split_first(const struct accel_patch *patch, int count
 	return rotate(patch, by);
 }
 
-static int split(const struct whole *whole, const struct accel_patch *patch, int count, int level)
+static int split(const struct whole *whole, const struct accel_patch *patch, int count)
 {
 	struct accel_patch turned;
-	struct accel_vertex middle;
 
 	if (count == 3)
-		return split_three(whole, patch, level);
+		return split_three(whole, patch);
 	turned = split_first(patch, count);
+	return count == 1 ? split_one(whole, &turned) : split_two(whole, &turned);
+}
+
+/* Can all edges be split? */
+static bool is_divisible(const struct accel_patch *patch)
+{
+	for (int i = 0; i < 3; i++)
+		if (patch->vertex[i]->level == ACCEL_SPLIT_LEVELS)
+			return false;
+	return true;
+}
+
+/* The middle of a tall triangle has more digits than its edges; of quarters it has not. */
+static bool inner_fits(const struct accel_patch *patch, int count)
+{
+	struct accel_patch turned = split_first(patch, count);
+	struct accel_vertex middle;
+
 	accel_shading_middle(turned.vertex[0], turned.vertex[1], &middle);
-	/* The middle of a tall triangle has more digits than its edges; of quarters it has not. */
-	if (!accel_setup_edge_fits(&middle, turned.vertex[2]))
-		return split_three(whole, patch, level);
-	return count == 1 ? split_one(whole, &turned, level) : split_two(whole, &turned, level);
+	return accel_setup_edge_fits(&middle, turned.vertex[2]);
 }
 
 /* Into how many edges' halves: 0 to draw it as it is. */
-static int splits(const struct whole *whole, const struct accel_patch *patch, int level)
+static int splits(const struct whole *whole, const struct accel_patch *patch)
 {
 	int count = 0;
 
-	if (whole->pass->state->shading != ACCEL_SHADING_ADAPTIVE || level == ACCEL_SPLIT_LEVELS)
+	if (whole->pass->state->shading == ACCEL_SHADING_QUADRATIC)
 		return 0;
 	for (int i = 0; i < 3; i++)
 		count += patch->edge[i]->split;
-	if (!count && accel_shading_inside(whole->pass, patch, whole->side))
-		count = 3;
-	return count;
+	if (count == 3 || (count && inner_fits(patch, count)))
+		return count;
+	if (!is_divisible(patch))
+		return 0;
+	return count || accel_shading_inside(whole->pass, patch, whole->side) ? 3 : 0;
 }
 
 static int draw(struct accel_pass *pass, const struct accel_triangle *triangle)
@@ -185,7 +201,7 @@ static int draw(struct accel_pass *pass, const struct accel_triangle *triangle)
 	return accel_bin_triangle(pass->bin, triangle);
 }
 
-static int draw_part(const struct whole *whole, const struct accel_patch *patch, int level)
+static int draw_part(const struct whole *whole, const struct accel_patch *patch)
 {
 	struct accel_pass *pass = whole->pass;
 	struct accel_triangle triangle = { .plane = &whole->plane };
@@ -195,9 +211,9 @@ static int draw_part(const struct whole *whole, const struct accel_patch *patch,
 	if (!accel_setup_init(&triangle.setup, patch->vertex) ||
 	    !accel_setup_draws(&triangle.setup, &pass->transform.window.visible))
 		return 0;
-	count = splits(whole, patch, level);
+	count = splits(whole, patch);
 	if (count)
-		return split(whole, patch, count, level + 1);
+		return split(whole, patch, count);
 	accel_surface_frame(&frame, patch->vertex);
 	accel_surface_patch(&triangle, &frame, patch);
 	return draw(pass, &triangle);
@@ -223,12 +239,16 @@ static int draw_patch(const struct whole *whole, struct accel_triangle *triangle
 		patch.vertex[i] = vertex[i];
 		patch.edge[i] = &edge[i];
 	}
-	count = splits(whole, &patch, 0);
+	count = splits(whole, &patch);
 	if (count) {
 		whole->pass->stats->split++;
-		return split(whole, &patch, count, 1);
+		return split(whole, &patch, count);
 	}
-	accel_surface_patch(triangle, frame, &patch);
+	if (whole->pass->state->shading == ACCEL_SHADING_GOURAUD && !edge[0].curved &&
+	    !edge[1].curved && !edge[2].curved)
+		accel_surface_gouraud(triangle, frame, vertex);
+	else
+		accel_surface_patch(triangle, frame, &patch);
 	return draw(whole->pass, triangle);
 }
 
@@ -255,7 +275,7 @@ int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[
 	}
 	for (int i = 0; i < 3; i++)
 		accel_shading_vertex(pass, vertex[i], side);
-	if (pass->state->shading != ACCEL_SHADING_GOURAUD)
+	if (pass->state->shading != ACCEL_SHADING_GOURAUD || !accel_interpolate_straight(corner))
 		return draw_patch(&whole, &triangle, &frame, corner, index);
 	accel_surface_gouraud(&triangle, &frame, corner);
 	return draw(pass, &triangle);

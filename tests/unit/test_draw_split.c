@@ -77,7 +77,7 @@ static void check_split_covers_the_same(struct fixture *f)
 {
 	struct accel_draw_stats plain, adaptive;
 
-	plain = draw_counted(f, ACCEL_SHADING_GOURAUD, counts[0]);
+	plain = draw_counted(f, ACCEL_SHADING_FLAT, counts[0]);
 	assert_int_equal(accel_target_read_depth(f->target, pixels[0], SIDE * 4), 0);
 	adaptive = draw_counted(f, ACCEL_SHADING_ADAPTIVE, counts[1]);
 	assert_int_equal(accel_target_read_depth(f->target, pixels[1], SIDE * 4), 0);

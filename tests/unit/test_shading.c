@@ -12,6 +12,7 @@ struct fixture {
 static void fixture_light(struct fixture *f)
 {
 	f->pass.lit = f->state->lighting;
+	f->pass.interpolated = !f->pass.lit;
 	accel_lighting_init(&f->pass.lighting, f->state, false);
 }
 
