@@ -40,13 +40,10 @@ static float bend(float wa, float wb)
 
 bool accel_interpolate_straight(const struct accel_vertex *const vertex[3])
 {
-	float low = vertex[0]->w, high = vertex[0]->w;
-
-	for (int i = 1; i < 3; i++) {
-		low = vertex[i]->w < low ? vertex[i]->w : low;
-		high = larger(high, vertex[i]->w);
-	}
-	return bend(low, high) < STRAIGHT_ALPHA;
+	for (int i = 0; i < 3; i++)
+		if (bend(vertex[i]->w, vertex[(i + 1) % 3]->w) >= STRAIGHT_ALPHA)
+			return false;
+	return true;
 }
 
 /* The curve's error a quarter of the way from @a. */
