@@ -110,6 +110,7 @@ static int draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int c
 		    struct accel_vertex *flat, int64_t area, int side)
 {
 	int apex = accel_clip_apex(polygon, corners), err = 0;
+	uint64_t culled = pass->stats->culled, parts = 0;
 
 	for (int i = 1; i + 1 < corners && !err; i++) {
 		struct accel_vertex *const fan[3] = {
@@ -119,8 +120,17 @@ static int draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int c
 		};
 		int64_t part = accel_surface_area(fan[0], fan[1], fan[2]);
 
-		if (part && (part > 0) == (area > 0))
-			err = accel_split_draw(pass, fan, NULL, flat, side);
+		if (!part || (part > 0) != (area > 0))
+			continue;
+		parts++;
+		err = accel_split_draw(pass, fan, NULL, flat, side);
+	}
+	/* They count as the one triangle that they are. */
+	if (pass->stats->culled - culled == parts) {
+		pass->stats->culled = culled + 1;
+	} else {
+		pass->stats->culled = culled;
+		pass->stats->clipped++;
 	}
 	return err;
 }
@@ -166,7 +176,6 @@ static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vert
 	side = visible_side(pass->state, area);
 	if (side < 0)
 		return cull(pass);
-	pass->stats->clipped++;
 	if (pass->lit && pass->interpolated)
 		clip_lit(pass, vertex, index, planes, side, polygon);
 	return draw_fan(pass, polygon, corners, &flat, area, side);

@@ -548,6 +548,20 @@ static void counts_are_those_of_the_frame(void **state)
 	assert_int_equal(stats_of(f).triangles_in, 4);
 }
 
+/* The near plane cuts it, and what is left is between four pixels. */
+static void a_triangle_that_clipping_leaves_nothing_of_counts_as_culled_once(void **state)
+{
+	static const float sliver[3][3] = { { 0.001f, 0.001f, -2 }, { 0.009f, 0.001f, 0 },
+					    { 0.001f, 0.009f, 0 } };
+	struct accel_mesh mesh = { .vertices = 3, .position = sliver };
+	struct fixture *f = *state;
+
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(stats_of(f).triangles_in, 1);
+	assert_int_equal(stats_of(f).culled, 1);
+	assert_int_equal(stats_of(f).clipped, 0);
+}
+
 static void a_target_may_go_before_its_frame_is_sent(void **state)
 {
 	struct fixture *f = *state;
@@ -680,6 +694,7 @@ int main(void)
 		TEST(a_frame_without_anything_is_sent_and_does_nothing),
 		TEST(a_clear_without_a_target_is_not_lost),
 		TEST(counts_are_those_of_the_frame),
+		TEST(a_triangle_that_clipping_leaves_nothing_of_counts_as_culled_once),
 		TEST(a_target_may_go_before_its_frame_is_sent),
 		TEST(free_takes_null),
 		TEST(whatever_is_drawn_the_board_takes_it),
