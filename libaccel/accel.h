@@ -293,7 +293,8 @@ int accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
 			     const struct accel_material *back);
 /* -EINVAL: @index not in 0..ACCEL_LIGHTS-1, a value that is not finite, an attenuation of a
- * point light that is negative or all zero, a spot exponent or cutoff out of range. */
+ * point light that is negative or all zero (OpenGL takes that, and divides by zero), a spot
+ * exponent or cutoff out of range. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
 

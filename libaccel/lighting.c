@@ -3,6 +3,7 @@
  * OpenGL's fixed-function lighting (specification 1.5, section 2.14.1) at a point of a surface, in
  * eye space. The highlight is Blinn's: by the half vector between viewer and light.
  */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -202,8 +203,10 @@ static float reach(const struct accel_lamp *lamp, const float eye[3], float to[3
 	near = 1 / (distance * distance);
 	if (near > sample->near_lamp)
 		sample->near_lamp = near;
-	factor = 1 / (lamp->attenuation[0] +
-		      distance * (lamp->attenuation[1] + distance * lamp->attenuation[2]));
+	/* In the lamp itself there may be no attenuation; what is dark stays so there too. */
+	factor = fminf(1 / (lamp->attenuation[0] + distance * (lamp->attenuation[1] +
+							       distance * lamp->attenuation[2])),
+		       FLT_MAX);
 	if (!lamp->spot)
 		return factor;
 	cosine = -dot(to, lamp->cone_axis);
