@@ -105,3 +105,4 @@ install-lib: lib $(ACCEL_SIMS)
 INSTALLS += install-lib
 
 include tests/unit/unit.mk
+include tests/fuzz/fuzz_draw.mk

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+/*
+ * fuzz_draw FRAMES
+ *
+ * Frames of anything that the draw level of accel.h can be asked for: meshes, states, targets and
+ * clears, with numbers from the ends of their types, and memory that runs out. Whatever it is, a
+ * call answers as the header says, and the board takes the stream of every frame without a fault.
+ *
+ * Frame n is made of seed GLOSS_SEED + n alone, which is printed if it fails.
+ */
+#include <errno.h>
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <sanitizer/common_interface_defs.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "accel.h"
+
+#define DEVICES 2
+#define TARGETS 4
+#define VERTICES 24
+#define INDICES 48
+#define FRAME_SECONDS 60
+
+/* ---- numbers ---- */
+
+static uint64_t frame_seed, state_of_random;
+
+/* splitmix64 */
+static uint64_t random_word(void)
+{
+	uint64_t z = state_of_random += 0x9e3779b97f4a7c15;
+
+	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+	z = (z ^ z >> 27) * 0x94d049bb133111eb;
+	return z ^ z >> 31;
+}
+
+static int below(int limit)
+{
+	return (int)(random_word() % (uint64_t)limit);
+}
+
+static bool one_in(int count)
+{
+	return below(count) == 0;
+}
+
+static int wildness;			/* of this frame: one number in so many is special */
+
+static float any_float(void)
+{
+	static const float special[] = {
+		0, -0.0f, 1, -1, NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX,
+		FLT_MIN, 1e-45f, -1e-45f, 1e20f, -1e20f, 1e-20f, 1e10f,
+	};
+
+	if (wildness && one_in(wildness))
+		return special[below(16)];
+	return ldexpf((float)below(2001) / 1000 - 1, below(8) - 3);
+}
+
+static void any_floats(float *out, int count)
+{
+	for (int i = 0; i < count; i++)
+		out[i] = any_float();
+}
+
+/* In a range that is mostly kept. */
+static float float_to(float most)
+{
+	return one_in(20) ? any_float() : most * (float)below(1001) / 1000;
+}
+
+static int any_int(void)
+{
+	static const int special[] = { INT_MIN, INT_MIN + 1, -1, 0, 1, 64, INT_MAX - 1, INT_MAX };
+
+	switch (below(4)) {
+	case 0:
+		return special[below(8)];
+	case 1:
+		return (int)(uint32_t)random_word();
+	default:
+		return below(400) - 100;
+	}
+}
+
+/* ---- memory that runs out, for this thread, when @left allocations have succeeded ---- */
+
+static _Thread_local int left = -1;	/* -1: it does not */
+static _Thread_local bool failed;
+static uint64_t short_of_memory;
+
+static bool runs_out(void)
+{
+	if (left < 0)
+		return false;
+	if (left-- > 0)
+		return false;
+	failed = true;
+	short_of_memory++;
+	return true;
+}
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+
+void *__wrap_malloc(size_t size)
+{
+	return runs_out() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+	return runs_out() ? NULL : __real_calloc(count, size);
+}
+
+void *__wrap_realloc(void *block, size_t size)
+{
+	return runs_out() ? NULL : __real_realloc(block, size);
+}
+
+/* ---- what is drawn with and on ---- */
+
+struct board {
+	struct accel_device *device;
+	struct accel_target *target[TARGETS];
+	struct accel_draw *draw;
+};
+
+static struct board boards[DEVICES];
+static struct accel_state *state;
+static uint64_t meshes, taken, drawn;
+
+static void tell_seed(void)
+{
+	fprintf(stderr, "\nfuzz_draw: repeat this with: GLOSS_SEED=%llu fuzz_draw 1\n",
+		(unsigned long long)frame_seed);
+}
+
+static void too_long(int signal)
+{
+	(void)signal;
+	tell_seed();
+	_exit(1);
+}
+
+static void need(bool condition, const char *what, int got)
+{
+	if (condition)
+		return;
+	fprintf(stderr, "fuzz_draw: %s: %d\n", what, got);
+	tell_seed();
+	_exit(1);
+}
+
+static void boards_open(void)
+{
+	static const char *const name[DEVICES] = { "model:tile=64,memory=67108864",
+						   "model:tile=32,memory=67108864" };
+	static const int size[TARGETS][2] = { { 1, 1 }, { 33, 65 }, { 150, 100 }, { 257, 190 } };
+
+	for (int i = 0; i < DEVICES; i++) {
+		need(!accel_device_new(name[i], NULL, NULL, &boards[i].device), "no model", i);
+		for (int j = 0; j < TARGETS; j++)
+			need(!accel_target_new(boards[i].device, size[j][0], size[j][1],
+					       &boards[i].target[j]), "no target", j);
+		need(!accel_draw_new(boards[i].device, &boards[i].draw), "no draw", i);
+	}
+	need(!accel_state_new(&state), "no state", 0);
+}
+
+static void boards_close(void)
+{
+	for (int i = 0; i < DEVICES; i++) {
+		accel_draw_free(boards[i].draw);
+		for (int j = 0; j < TARGETS; j++)
+			accel_target_free(boards[i].target[j]);
+		accel_device_free(boards[i].device);
+	}
+	accel_state_free(state);
+}
+
+/* ---- states ---- */
+
+static void set_matrices(void)
+{
+	float matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+
+	if (one_in(3))
+		any_floats(matrix, 16);
+	else
+		any_floats(matrix + 12, 3);
+	accel_state_set_modelview(state, matrix);
+	/* Perspective from 0.1 to 20, orthographic, or anything. */
+	memset(matrix, 0, sizeof(matrix));
+	matrix[0] = matrix[5] = 1;
+	matrix[10] = one_in(2) ? -1.01f : 1;
+	matrix[11] = matrix[10] < 0 ? -1 : 0;
+	matrix[14] = matrix[10] < 0 ? -0.201f : 0;
+	matrix[15] = matrix[10] < 0 ? 0 : 1;
+	if (one_in(6))
+		any_floats(matrix, 16);
+	accel_state_set_projection(state, matrix);
+}
+
+static void set_light(void)
+{
+	struct accel_light light = { .enabled = !one_in(5) };
+
+	any_floats(light.position, 4);
+	if (one_in(2))
+		light.position[3] = 0;
+	any_floats(light.ambient, 4);
+	any_floats(light.diffuse, 4);
+	any_floats(light.specular, 4);
+	any_floats(light.spot_direction, 3);
+	for (int i = 0; i < 3; i++)
+		light.attenuation[i] = one_in(2) ? float_to(1) : 0;
+	light.spot_exponent = one_in(2) ? 0 : float_to(128);
+	light.spot_cutoff = one_in(2) ? 180 : float_to(90);
+	accel_state_set_light(state, below(ACCEL_LIGHTS + 1), &light);
+}
+
+static struct accel_material any_material(void)
+{
+	struct accel_material material;
+
+	any_floats(material.emission, 4);
+	any_floats(material.ambient, 4);
+	any_floats(material.diffuse, 4);
+	any_floats(material.specular, 4);
+	material.shininess = one_in(4) ? 0 : float_to(1000);
+	return material;
+}
+
+static void set_surfaces(void)
+{
+	struct accel_material front = any_material(), back = any_material();
+	float ambient[4];
+
+	any_floats(ambient, 4);
+	accel_state_set_ambient(state, ambient);
+	accel_state_set_material(state, &front, one_in(2) ? &back : NULL);
+	accel_state_set_lighting(state, !one_in(3));
+	accel_state_set_colour_material(state, one_in(3));
+	accel_state_set_two_sided(state, one_in(2));
+	accel_state_set_local_viewer(state, one_in(2));
+	accel_state_set_shading(state, (enum accel_shading)below(4));
+}
+
+static void set_window(void)
+{
+	if (one_in(3))
+		accel_state_set_viewport(state, any_int(), any_int(), any_int(), any_int());
+	else
+		accel_state_set_viewport(state, 0, 0, -1, 0);
+	if (one_in(3))
+		accel_state_set_scissor(state, any_int(), any_int(), any_int(), any_int());
+	else
+		accel_state_set_scissor(state, 0, 0, -1, 0);
+	accel_state_set_depth_range(state, float_to(1), float_to(1));
+	accel_state_set_depth(state, (enum accel_compare)below(8), one_in(2));
+	accel_state_set_colour_mask(state, one_in(2), !one_in(4), one_in(2), !one_in(4));
+	accel_state_set_cull(state, (enum accel_cull)below(3));
+}
+
+static void set_state(void)
+{
+	if (one_in(2))
+		set_matrices();
+	for (int i = below(4); i > 0; i--)
+		set_light();
+	if (one_in(2))
+		set_surfaces();
+	if (one_in(2))
+		set_window();
+}
+
+/* ---- calls ---- */
+
+static void draw_mesh(const struct board *board, struct accel_target *target)
+{
+	static float position[VERTICES][3], normal[VERTICES][3], colour[VERTICES][4];
+	static uint32_t index[INDICES];
+	struct accel_mesh mesh = { .topology = (enum accel_topology)below(3) };
+	int err;
+
+	any_floats(&position[0][0], VERTICES * 3);
+	any_floats(&normal[0][0], VERTICES * 3);
+	any_floats(&colour[0][0], VERTICES * 4);
+	mesh.vertices = (uint32_t)below(VERTICES + 1);
+	mesh.position = one_in(50) ? NULL : position;
+	mesh.normal = one_in(3) ? NULL : normal;
+	mesh.colour = one_in(3) ? NULL : colour;
+	mesh.indices = (uint32_t)below(INDICES + 1);
+	mesh.index = one_in(2) ? index : NULL;
+	for (int i = 0; i < INDICES; i++)
+		index[i] = one_in(1000) ? (uint32_t)random_word() :
+					  (uint32_t)below((int)mesh.vertices + !mesh.vertices);
+	failed = false;
+	err = accel_draw_mesh(board->draw, target, state, &mesh);
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_mesh", err);
+	meshes++;
+	taken += !err;
+}
+
+static void clear(const struct board *board)
+{
+	float rgba[4];
+	int err;
+
+	any_floats(rgba, 4);
+	failed = false;
+	err = accel_draw_clear(board->draw, (unsigned int)below(one_in(20) ? 9 : 4),
+			       one_in(10) ? NULL : rgba, float_to(1));
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_clear", err);
+}
+
+/* A frame that was sent is one the board draws without a fault. */
+static void submit(const struct board *board)
+{
+	struct accel_fence_status status;
+	struct accel_draw_stats stats;
+	struct accel_fence *fence;
+	int err;
+
+	failed = false;
+	err = accel_draw_submit(board->draw, &fence);
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_submit", err);
+	if (err)
+		return;
+	err = accel_fence_wait(fence, -1, &status);
+	need(!err, "a frame ended", err);
+	need(!status.fault, "a frame ended with fault", (int)status.fault);
+	accel_fence_free(fence);
+	accel_draw_stats(board->draw, &stats);
+	need(stats.triangles_in >= stats.culled + stats.clipped, "triangles counted",
+	     (int)stats.culled);
+	drawn += stats.records;
+}
+
+/* A draw keeps its memory, so memory can only run out for a new one. */
+static void draw_renew(struct board *board)
+{
+	accel_draw_free(board->draw);
+	need(!accel_draw_new(board->device, &board->draw), "no draw", 0);
+}
+
+/* A frame without a target is there until its draw goes. */
+static void frame_end(struct board *board)
+{
+	left = -1;
+	submit(board);
+	draw_renew(board);
+}
+
+static void frame(uint64_t seed)
+{
+	static const int wild[] = { 0, 400, 40, 4 };
+	struct accel_target *target, *own = NULL;
+	struct board *board;
+
+	frame_seed = state_of_random = seed;
+	board = &boards[below(DEVICES)];
+	wildness = wild[below(4)];
+	target = board->target[below(TARGETS)];
+	alarm(FRAME_SECONDS);
+	accel_state_free(state);
+	need(!accel_state_new(&state), "no state", 0);
+	if (one_in(100) && !accel_target_new(board->device, 1 + below(2048), 1 + below(64), &own))
+		target = own;
+	left = one_in(8) ? below(40) : -1;
+	for (int calls = 1 + below(6); calls > 0; calls--) {
+		set_state();
+		if (one_in(4))
+			clear(board);
+		/* Another target, or another board's: refused if the frame has one. */
+		draw_mesh(board, one_in(20) ? boards[below(DEVICES)].target[below(TARGETS)] :
+					      target);
+		if (one_in(6))
+			submit(board);
+	}
+	frame_end(board);
+	accel_target_free(own);
+}
+
+int main(int argc, char **argv)
+{
+	const char *given = getenv("GLOSS_SEED");
+	uint64_t seed = given ? strtoull(given, NULL, 0) : (uint64_t)time(NULL) << 20;
+	long frames = argc == 2 ? atol(argv[1]) : 0;
+
+	if (frames <= 0) {
+		fprintf(stderr, "usage: fuzz_draw FRAMES\n");
+		return 2;
+	}
+	printf("GLOSS_SEED=%llu\n", (unsigned long long)seed);
+	fflush(stdout);
+	__sanitizer_set_death_callback(tell_seed);
+	signal(SIGALRM, too_long);
+	boards_open();
+	for (long n = 0; n < frames; n++)
+		frame(seed + (uint64_t)n);
+	boards_close();
+	printf("%ld frames: %llu of %llu meshes taken, %llu records drawn, memory ran out %llu "
+	       "times\n", frames, (unsigned long long)taken, (unsigned long long)meshes,
+	       (unsigned long long)drawn, (unsigned long long)short_of_memory);
+	return 0;
+}
