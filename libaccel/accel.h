@@ -254,13 +254,13 @@ void accel_state_free(struct accel_state *state);
  * refuses every mesh that has a vertex. */
 void accel_state_set_modelview(struct accel_state *state, const float matrix[16]);
 void accel_state_set_projection(struct accel_state *state, const float matrix[16]);
-/* Window rectangle in pixels (top left, size); width < 0 is the whole target, the default. It may
- * be anywhere, in the target or not; with a width or height of 0, or height < 0, nothing is drawn. */
+/* Window rectangle in pixels (top left, size); width < 0 is the whole target, the default. It
+ * may be anywhere; with a width or height of 0, or a height < 0, nothing is drawn. */
 void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height);
 /* Depth of the near and the far plane, clamped to 0..1, NaN to 0; the default is 0, 1. */
 void accel_state_set_depth_range(struct accel_state *state, float near, float far);
-/* Rectangle in pixels from the top left; width < 0 switches it off, the default. It may be anywhere;
- * with a width or height of 0, or height < 0, nothing is drawn. */
+/* Rectangle in pixels from the top left; width < 0 switches it off, the default. It may be
+ * anywhere; with a width or height of 0, or a height < 0, nothing is drawn. */
 void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height);
 /*
  * What is drawn where its depth compares as @func with the one in the target, and
@@ -356,8 +356,9 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
  * are at most 2^50 times w; beyond, edges may be drawn elsewhere.
  *
  * Colours of vertices are linear in space between them, clipped or not, with
- * ACCEL_SHADING_GOURAUD and, without lighting, ADAPTIVE: within 2/255, alpha 4/255, where w differs by a
- * factor of up to 10 along each edge and the triangle is a pixel or more across.
+ * ACCEL_SHADING_GOURAUD and, without lighting, ADAPTIVE: within 2/255, alpha 4/255,
+ * where w differs by a factor of up to 10 along each edge and the triangle is a
+ * pixel or more across.
  * Where it differs by less than one in a hundred that takes one record of linear
  * colours in a tile; by more, second-order surfaces or parts of the triangle.
  */

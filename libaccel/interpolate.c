@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /*
- * Colours that vertices have and points between them do not: linear in space, as OpenGL says, and so
- * along an edge of the screen a hyperbola if w differs at its ends. It is taken as a straight line, as
- * the second-order curve through its middle, or split there, as the edge's own two vertices decide.
+ * Colours that vertices have and points between them do not: linear in space, as OpenGL says, and
+ * so along an edge of the screen a hyperbola if w differs at its ends. It is taken as a straight
+ * line, as the second-order curve through its middle, or split there, as the edge's own two
+ * vertices decide.
  */
 #include <math.h>
 
@@ -10,8 +11,8 @@
 
 /* A step of a channel. */
 #define STEP (1 / 255.0f)
-/* A middle nearer to the straight line than this is taken to be on it. Between the edges, and beside
- * their middles, a surface may be off by twice as much. */
+/* A middle nearer to the straight line than this is taken to be on it. Between the edges, and
+ * beside their middles, a surface may be off by twice as much. */
 #define STRAIGHT (0.7f * STEP)
 #define STRAIGHT_ALPHA (0.4f * STEP)	/* which has no second-order surface */
 /* Errors of the second-order curve beyond this are worth a split. */

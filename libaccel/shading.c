@@ -24,8 +24,8 @@
 #define HIGHLIGHT_NARROW (3.5f * 3.5f)
 /* The same for the angle at which an edge is seen from a lamp. */
 #define LAMP_NARROW (0.7f * 0.7f)
-/* Pixels: shorter edges are not split, those on the rim of a cone and others, and still shorter ones
- * are straight. */
+/* Pixels: shorter edges are not split, those on the rim of a cone and others, and still shorter
+ * ones are straight. */
 #define RIM_LENGTH 3.0f
 #define SPLIT_LENGTH 6.0f
 #define CURVE_LENGTH 2.5f

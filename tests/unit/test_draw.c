@@ -410,7 +410,8 @@ static void nothing_is_drawn_beside_the_viewport(void **state)
 /* The mesh reaches far beside the target: what is visible is all that keeps it inside. */
 static void a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target(void **state)
 {
-	static const int end[] = { INT_MIN, INT_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT_MAX - 1, INT_MAX };
+	static const int end[] = { INT_MIN, INT_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT_MAX - 1,
+				   INT_MAX };
 	struct fixture *f = *state;
 	float wide[4][3];
 	struct accel_mesh mesh = square_mesh();
@@ -425,7 +426,8 @@ static void a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target(voi
 
 		accel_state_set_scissor(f->state, 0, from, across < 0 ? 0 : across, size);
 		picture(f, &mesh, pixels);
-		assert_int_equal(pixels[0] == WHITE, from <= 0 && size > 0 && last > 0 && across > 0);
+		assert_int_equal(pixels[0] == WHITE,
+				 from <= 0 && size > 0 && last > 0 && across > 0);
 		if (all)
 			assert_all(WHITE);
 		if (size <= 0 || last <= 0 || from >= SIDE || across <= 0) {

@@ -23,7 +23,8 @@ static uint32_t pixels[SIDE * SIDE];
 /* Clip x, y are eye x, y; w is how far the eye is away. */
 static void project(struct accel_state *state, float near, float far)
 {
-	const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, (far + near) / (near - far), -1,
+	const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0,
+				       0, 0, (far + near) / (near - far), -1,
 				       0, 0, 2 * far * near / (near - far), 0 };
 
 	accel_state_set_projection(state, projection);
@@ -136,8 +137,8 @@ static void add_off(const struct coloured *t, struct off *off)
 	}
 }
 
-/* The least height of the triangle on the screen, pixels. Below one it is a sliver, whose colour may
- * change from one end to the other inside a pixel. */
+/* The least height of the triangle on the screen, pixels. Below one it is a sliver, whose colour
+ * may change from one end to the other inside a pixel. */
 static double height(const struct coloured *t)
 {
 	double x[3], y[3], most = 0;
@@ -164,7 +165,8 @@ static void random_triangle(uint64_t *seed, float range, bool alpha, struct colo
 		}
 		t->position[i][2] = -w;
 		for (int j = 0; j < 4; j++)
-			t->colour[i][j] = (float)test_below(seed, 2) * 0.7f + 0.3f * test_unit(seed);
+			t->colour[i][j] = (float)test_below(seed, 2) * 0.7f +
+					  0.3f * test_unit(seed);
 		t->colour[i][3] = alpha ? t->colour[i][3] * 0.9f + 0.1f : 1;
 	}
 }
@@ -187,8 +189,8 @@ static void random_colours_are_within_two_steps(void **state)
 		drawn += stats.flat + stats.linear + stats.second_order;
 		add_off(&t, &off);
 		if (off.most > 2 || off.alpha > 4)
-			fail_msg("triangle %d: pixel %d,%d is off by %g, alpha by %g", n, off.x, off.y,
-				 off.most, off.alpha);
+			fail_msg("triangle %d: pixel %d,%d is off by %g, alpha by %g", n, off.x,
+				 off.y, off.most, off.alpha);
 	}
 	print_message("of 255: mean %g, most %g, alpha %g; %g parts a triangle\n",
 		      off.sum / (double)off.count, off.most, off.alpha, (double)drawn / TRIANGLES);
@@ -203,7 +205,9 @@ static void a_ground_under_the_eye_is_right_up_to_the_horizon(void **state)
 	struct off off = { 0 };
 
 	for (int n = 0; n < 60; n++) {
-		struct coloured t = { .position = { { -30, -1, 6 }, { 30, -1, 4 }, { 0, -1, -40 } } };
+		struct coloured t = {
+			.position = { { -30, -1, 6 }, { 30, -1, 4 }, { 0, -1, -40 } },
+		};
 
 		for (int i = 0; i < 3; i++) {
 			t.position[i][0] += 4 * test_unit(&seed);
@@ -228,7 +232,8 @@ static void a_ground_under_the_eye_is_right_up_to_the_horizon(void **state)
 /* What OpenGL lights are the vertices, also of a triangle that loses one at the near plane. */
 static void light_is_that_of_the_vertices_though_they_are_clipped(void **state)
 {
-	static const float normal[3][3] = { { 0.6f, 0, 0.8f }, { -0.6f, 0, 0.8f }, { 0, 0.8f, 0.6f } };
+	static const float normal[3][3] = { { 0.6f, 0, 0.8f }, { -0.6f, 0, 0.8f },
+					    { 0, 0.8f, 0.6f } };
 	struct coloured t = { .position = { { -2, -1, -6 }, { 2, -1.5f, -4 }, { 0.2f, 1, 0.5f } } };
 	const struct accel_mesh mesh = { .topology = ACCEL_TRIANGLES, .vertices = 3,
 					 .position = t.position, .normal = normal };
@@ -271,7 +276,8 @@ static void without_perspective_a_triangle_stays_one_of_linear_colours(void **st
 		const float w[5] = { 2, 2, 2.001f, 2.003f, 2.01f };
 		struct coloured t = { .position = { { -2, -2, -w[n] }, { 2, -2, -w[4 - n] },
 						    { -2, 2, -2 } },
-				      .colour = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 } } };
+				      .colour = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 },
+						  { 0, 0, 1, 1 } } };
 
 		draw_coloured(f, &t, &stats);
 		assert_int_equal(stats.linear, 1);

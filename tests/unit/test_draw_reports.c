@@ -59,7 +59,8 @@ static void huge_coordinates_cover_the_window(void)
 
 static void coordinates_to_the_end_of_float_are_taken(void)
 {
-	const float position[3][3] = { { -3e38f, -3e38f, 0 }, { 3e38f, -3e38f, 0 }, { 0, 3e38f, 0 } };
+	const float position[3][3] = { { -3e38f, -3e38f, 0 }, { 3e38f, -3e38f, 0 },
+				       { 0, 3e38f, 0 } };
 	struct accel_mesh mesh = strip(position, 3);
 
 	assert_in_range(drawn(&mesh), 0, SIDE * SIDE);
@@ -198,7 +199,8 @@ static const struct {
 	{ "hrydgard/ppsspp#11567, #14231",
 	  a_normal_without_length_and_a_light_in_the_surface_are_no_nan },
 	{ "godotengine/godot#34527", a_spot_of_no_angle_or_of_all_is_lit_or_not },
-	{ "castle-engine/castle-engine#336, godotengine/godot#29317", a_mirror_turns_the_front_over },
+	{ "castle-engine/castle-engine#336, godotengine/godot#29317",
+	  a_mirror_turns_the_front_over },
 };
 
 static void public_reports(void **unused)

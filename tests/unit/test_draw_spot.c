@@ -203,8 +203,8 @@ static void check_scene(struct fixture *f, uint64_t *seed, enum accel_shading sh
 	if (shading == ACCEL_SHADING_QUADRATIC)
 		swollen = above = 0;
 	if (below > 1 || swollen > 10 || above > SWELL_MOST)
-		fail_msg("scene %#llx, shading %d: %d steps below the light without spots, %d above "
-			 "the brightest there is", (unsigned long long)scene, (int)shading, below,
+		fail_msg("scene %#llx, shading %d: %d steps below the light without spots, "
+			 "%d above the brightest there is", (unsigned long long)scene, (int)shading, below,
 			 above);
 }
 
@@ -298,8 +298,8 @@ static void a_spot_lowers_no_curve(void **state)
 		edge_under(f, a, b, less);
 		for (int i = 0; i < 3; i++)
 			if (all[i] < less[i] - STEP / 8)
-				fail_msg("edge %d: with spot %d the curve is at %g, without at %g", n,
-					 last, (double)all[i], (double)less[i]);
+				fail_msg("edge %d: with spot %d the curve is at %g, without at %g",
+					 n, last, (double)all[i], (double)less[i]);
 	}
 	assert_true(curved > EDGES / 2);
 }

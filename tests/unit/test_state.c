@@ -232,7 +232,8 @@ static void a_light_is_finite_whether_its_kind_needs_the_number_or_not(void **st
 
 	for (int n = 0; n < 3; n++) {
 		for (int i = 0; i < 3; i++) {
-			struct accel_light light = { .position = { 0, 0, 1, 0 }, .spot_cutoff = 180 };
+			struct accel_light light = { .position = { 0, 0, 1, 0 },
+						     .spot_cutoff = 180 };
 
 			light.attenuation[i] = wrong[n];
 			assert_int_equal(accel_state_set_light(s, 0, &light), -EINVAL);
