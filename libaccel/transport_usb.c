@@ -121,6 +121,16 @@ static int usb_start(struct transport_usb *transport, struct accel_transport_err
 	return err == -ENOMEM ? err : -ENODEV;
 }
 
+/* The link is gone, or there was none. What is in flight for ever keeps what it may still use. */
+static void usb_free(struct transport_usb *transport)
+{
+	if (transport->node.stuck)
+		return;
+	accel_usb_node_close(&transport->node);
+	accel_range_fini(&transport->ranges);
+	free(transport);
+}
+
 static int transport_usb_open(const char *where, void **state,
 			      struct accel_transport_error *error)
 {
@@ -130,23 +140,21 @@ static int transport_usb_open(const char *where, void **state,
 	if (!transport)
 		return -ENOMEM;
 	err = accel_usb_node_open(where, &transport->node, error);
-	if (err)
-		goto err_free;
+	if (err) {
+		free(transport);
+		return err;
+	}
 	err = usb_identify(transport, error);
 	if (!err)
 		err = usb_start(transport, error);
-	if (err)
-		goto err_close;
+	if (err) {
+		usb_free(transport);
+		return err;
+	}
 	usb_name(&transport->info, transport->node.serial);
 	accel_range_init(&transport->ranges, transport->info.memory_size);
 	*state = transport;
 	return 0;
-
-err_close:
-	accel_usb_node_close(&transport->node);
-err_free:
-	free(transport);
-	return err;
 }
 
 static void transport_usb_close(void *state)
@@ -154,9 +162,7 @@ static void transport_usb_close(void *state)
 	struct transport_usb *transport = state;
 
 	accel_usb_link_free(transport->link);
-	accel_usb_node_close(&transport->node);
-	accel_range_fini(&transport->ranges);
-	free(transport);
+	usb_free(transport);
 }
 
 static void transport_usb_info(void *state, struct accel_transport_info *info)

@@ -233,8 +233,6 @@ int accel_usb_node_open(const char *text, struct accel_usb_node *node,
 
 void accel_usb_node_close(struct accel_usb_node *node)
 {
-	if (node->stuck)
-		return;
 	libusb_release_interface(node->handle, USB_INTERFACE);
 	libusb_close(node->handle);
 	libusb_exit(node->context);

@@ -26,7 +26,7 @@ struct accel_usb_node {
  */
 int accel_usb_node_open(const char *where, struct accel_usb_node *node,
 			struct accel_transport_error *error);
-/* No transfer is in flight; a node that is stuck is left open. */
+/* No transfer is in flight, so the node is not stuck. */
 void accel_usb_node_close(struct accel_usb_node *node);
 /*
  * Claims the interface once more if that can be had: then it had been lost, as when somebody else

@@ -65,6 +65,9 @@ rtl_node=$(node "$rtl") model_node=$(node "$model")
 trap 'chmod 660 $rtl_node $model_node; [ -z "$holder" ] || kill -KILL $holder; rm -rf "$work"' EXIT
 
 usable "usb:/${model##*/}"
+place=$(sysfs "$model")
+usable "usb:${place##*/}"
+grep -q "${model##*/}" "$work/out" || fail "usb:${place##*/} is not $model"
 
 # ---- names ----
 
@@ -72,7 +75,8 @@ refused "$group" 'can not open device' "${rtl}X" \
 	"there is no board ${rtl}X; gloss-info --list shows those that are there"
 refused "$group" 'can not open device' usb:1d6b:0f02 \
 	'no Gloss board 1d6b:0f02 on USB; lsusb shows what is plugged in'
-refused "$group" 'no such device' usb:RTL0 'name a board as in usb:1209:0001/SERIAL, usb:/SERIAL or usb:'
+refused "$group" 'no such device' usb:RTL0 \
+	'name a board as in usb:1209:0001/SERIAL, usb:/SERIAL, usb:1-2 (its bus and port) or usb:'
 
 # ---- not permitted ----
 
