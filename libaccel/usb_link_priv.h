@@ -69,6 +69,7 @@ struct accel_usb_link {
 	unsigned int in_count;		/* as many are to be */
 	unsigned int in_bytes, out_bytes;	/* of one, at most */
 	bool starved;			/* no memory for a transfer that is needed */
+	int64_t more_ms;		/* when to try with more */
 	uint32_t *in_words;		/* the buffers of IN */
 	uint32_t event_words[GLOSS_USB_EVENT_WORDS];
 	uint32_t sync_words[GLOSS_USB_SYNC_WORDS];
@@ -105,6 +106,8 @@ int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce);
  * started last; false: that was the least. */
 void accel_usb_transfers_most(struct accel_usb_link *link);
 bool accel_usb_transfers_less(struct accel_usb_link *link);
+/* Twice as much may be in flight, if there is memory for that again. */
+void accel_usb_transfers_more(struct accel_usb_link *link);
 /* Sends what can be sent of the jobs, and reads again where there was no memory for it. */
 void accel_usb_transfers_send(struct accel_usb_link *link);
 void accel_usb_transfers_cancel(struct accel_usb_link *link);

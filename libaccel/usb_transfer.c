@@ -90,6 +90,18 @@ bool accel_usb_transfers_less(struct accel_usb_link *link)
 	return bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN) || bytes_halve(&link->in_count, 1);
 }
 
+static void double_up_to(unsigned int *count, unsigned int max)
+{
+	*count = *count > max / 2 ? max : 2 * *count;
+}
+
+void accel_usb_transfers_more(struct accel_usb_link *link)
+{
+	double_up_to(&link->in_count, USB_IN_TRANSFERS);
+	double_up_to(&link->in_bytes, USB_TRANSFER_BYTES);
+	double_up_to(&link->out_bytes, USB_TRANSFER_BYTES);
+}
+
 /*
  * When there is no memory to send, because what waits to be read into has it all, the last of that
  * is given back. False: there is nothing to be given.
@@ -99,10 +111,11 @@ static bool in_give_way(struct accel_usb_link *link)
 	struct usb_transfer *in, *last = NULL;
 
 	for (in = link->in_first; in; in = in->next) {
+		if (in->ended)
+			continue;
 		if (in->gives_way)
 			return true;
-		if (!in->ended)
-			last = in;
+		last = in;
 	}
 	if (!last || (!bytes_halve(&link->in_count, 1) &&
 		      !bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN)))

@@ -11,6 +11,7 @@
 #define LOOK_MS 250
 #define LOOKS_IDLE 4
 #define CLOCKS_MS 5000
+#define MORE_MS 1000
 
 /* Words that PROGRESS has yet to count at most. */
 static uint64_t watch_words(const struct accel_usb_link *link)
@@ -98,6 +99,10 @@ int accel_usb_link_watch(struct accel_usb_link *link)
 	if (link->hint)
 		watch_hint(link);
 	watch_clocks(link, now);
+	if (now >= link->more_ms) {
+		accel_usb_transfers_more(link);
+		link->more_ms = now + MORE_MS;
+	}
 	if (watch->moves != link->moves)
 		*watch = (struct usb_watch){ .moves = link->moves, .next_ms = now + LOOK_MS };
 	if (now >= watch->next_ms) {

@@ -33,7 +33,7 @@ static void unplug(void)
 
 static void refuse_memory(void)
 {
-	fake_usb.memory_limit = 1;
+	fake_usb_limit_memory(1);
 }
 
 /* Halves, quarters and so on: fewer than there are slots. */
@@ -495,7 +495,7 @@ static void begin(void)
 static void end(void)
 {
 	fake_usb_disarm();
-	fake_usb.memory_limit = 0;
+	fake_usb_limit_memory(0);
 	fake_usb_release();
 	accel_stream_free(stream);
 	accel_draw_free(draw);

@@ -24,7 +24,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
 	fake_usb_disarm();
-	fake_usb.memory_limit = 0;
+	fake_usb_limit_memory(0);
 	accel_device_free(*state);
 	fake_usb_leap(false);
 	fake_usb_stop();
@@ -73,13 +73,13 @@ static void a_board_works_with_little_memory(void **state)
 
 	for (size_t i = 0; i < sizeof(limits) / sizeof(limits[0]); i++) {
 		accel_device_free(*state);
-		fake_usb.memory_limit = limits[i];
+		fake_usb_limit_memory(limits[i]);
 		*state = device_open("usb:", &messages);
 		for (int n = 0; n < 3; n++)
 			if (copy(*state))
 				fail_msg("with %zu bytes: %s", limits[i], messages.last);
 	}
-	fake_usb.memory_limit = 0;
+	fake_usb_limit_memory(0);
 }
 
 static void memory_that_becomes_little_is_made_do_with(void **state)
@@ -87,7 +87,7 @@ static void memory_that_becomes_little_is_made_do_with(void **state)
 	for (size_t limit = 3 << 20; limit > 100000; limit = limit * 3 / 4) {
 		unsigned int resets = fake_usb.resets;
 
-		fake_usb.memory_limit = limit;
+		fake_usb_limit_memory(limit);
 		assert_int_equal(copy(*state), 0);
 		assert_int_equal(fake_usb.resets, resets);
 	}
@@ -98,11 +98,11 @@ static void without_memory_jobs_fail_and_the_board_stays(void **state)
 	int err;
 
 	for (int n = 0; n < 5; n++) {
-		fake_usb.memory_limit = 100;
+		fake_usb_limit_memory(100);
 		assert_int_equal(copy(*state), -ENOMEM);
 		assert_message(&messages, "usbfs_memory_mb");
 		assert_int_equal(copy(*state), -ENOMEM);
-		fake_usb.memory_limit = 0;
+		fake_usb_limit_memory(0);
 		/* Those that were there when it was tried the last time. */
 		do
 			err = copy(*state);
@@ -111,18 +111,35 @@ static void without_memory_jobs_fail_and_the_board_stays(void **state)
 	}
 }
 
+static void memory_that_comes_back_is_used_again(void **state)
+{
+	int64_t before;
+
+	accel_device_free(*state);
+	fake_usb_limit_memory(40000);
+	*state = device_open("usb:", &messages);
+	fake_usb_take_depth_in();
+	assert_int_equal(copy(*state), 0);
+	assert_in_range(fake_usb_take_depth_in(), 1, 2);
+	fake_usb_limit_memory(0);
+	before = fake_usb_now_ns();
+	while (fake_usb_now_ns() - before < INT64_C(20000000000))
+		assert_int_equal(copy(*state), 0);
+	assert_int_equal(fake_usb_take_depth_in(), 4);
+}
+
 static void a_board_does_not_open_without_memory_and_says_so(void **state)
 {
 	struct accel_device *device;
 
 	accel_device_free(*state);
 	for (size_t limit = 1; limit < 16384; limit *= 2) {
-		fake_usb.memory_limit = limit;
+		fake_usb_limit_memory(limit);
 		assert_int_equal(accel_device_new("usb:", messages_take, &messages, &device),
 				 -ENOMEM);
 		assert_message(&messages, "usbfs_memory_mb");
 	}
-	fake_usb.memory_limit = 0;
+	fake_usb_limit_memory(0);
 	*state = device_open("usb:", &messages);
 }
 
@@ -165,6 +182,16 @@ static void power_lost_while_the_board_starts_again_is_noticed_too(void **state)
 	}
 }
 
+/* What resets the bus may come before the first job, which then meets a board that works. */
+static void check_failed_at_most(struct accel_device *device)
+{
+	int err = copy(device);
+
+	assert_true(!err || err == -EIO);
+	if (err)
+		assert_message(&messages, "the board failed and was reset");
+}
+
 static void a_board_that_kept_its_power_keeps_what_it_held(void **state)
 {
 	static const enum fake_usb_fault faults[] = { FAKE_USB_STALL_OUT, FAKE_USB_ERROR_IN,
@@ -176,8 +203,7 @@ static void a_board_that_kept_its_power_keeps_what_it_held(void **state)
 	assert_int_equal(accel_buffer_write(buffer, 0, &word, 4), 0);
 	for (size_t i = 0; i < sizeof(faults) / sizeof(faults[0]); i++) {
 		fake_usb_arm(0, faults[i], 1, 0);
-		assert_int_equal(copy(*state), -EIO);
-		assert_message(&messages, "the board failed and was reset");
+		check_failed_at_most(*state);
 		fake_usb_disarm();
 		word = 0;
 		assert_int_equal(accel_buffer_read(buffer, 0, &word, 4), 0);
@@ -188,15 +214,17 @@ static void a_board_that_kept_its_power_keeps_what_it_held(void **state)
 
 /* ---- the claim ---- */
 
+/* What was submitted before the library knew, the kernel claims for; but not each time. */
 static void a_claim_that_a_bus_reset_took_is_made_again(void **state)
 {
 	for (int n = 0; n < 10; n++) {
 		fake_usb_arm(0, FAKE_USB_BUS_RESET, 1 + (uint64_t)n * 5, 0);
-		assert_int_equal(copy(*state), -EIO);
+		check_failed_at_most(*state);
 		assert_int_equal(copy(*state), 0);
 		assert_int_equal(fake_usb.claims, 1);
 	}
-	assert_int_equal(fake_usb.implicit_claims, 0);
+	assert_int_equal(fake_usb.fired, 10);
+	assert_in_range(fake_usb.implicit_claims, 0, 9);
 }
 
 /* ---- transfers that do not end ---- */
@@ -249,6 +277,7 @@ int main(void)
 		kernel_test(a_board_works_with_little_memory),
 		kernel_test(memory_that_becomes_little_is_made_do_with),
 		kernel_test(without_memory_jobs_fail_and_the_board_stays),
+		kernel_test(memory_that_comes_back_is_used_again),
 		kernel_test(a_board_does_not_open_without_memory_and_says_so),
 		kernel_test(a_board_that_lost_its_power_is_gone_with_what_it_held),
 		kernel_test(power_lost_while_the_board_starts_again_is_noticed_too),

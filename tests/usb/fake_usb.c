@@ -83,7 +83,7 @@ static void state_start(uint64_t seed)
 	fake.held = fake.leap_always = fake.hurry = false;
 	fake.fail_at = 0;
 	fake.fail_always = false;
-	fake.bytes_in_flight = 0;
+	fake.bytes_in_flight = fake.memory_limit = 0;
 	fake_list_init(&fake.ended);
 	pthread_cond_init(&fake.changed, NULL);
 }
@@ -193,6 +193,24 @@ void fake_usb_fail_always(const char *function, int error)
 	fake.fail_error = error;
 	fake.hurry = true;
 	pthread_mutex_unlock(&fake.lock);
+}
+
+void fake_usb_limit_memory(size_t bytes)
+{
+	pthread_mutex_lock(&fake.lock);
+	fake.memory_limit = bytes;
+	pthread_mutex_unlock(&fake.lock);
+}
+
+unsigned int fake_usb_take_depth_in(void)
+{
+	unsigned int depth;
+
+	pthread_mutex_lock(&fake.lock);
+	depth = fake_usb.depth_in;
+	fake_usb.depth_in = 0;
+	pthread_mutex_unlock(&fake.lock);
+	return depth;
 }
 
 /* ---- the cable, and the boards ---- */

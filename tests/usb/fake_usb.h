@@ -93,7 +93,6 @@ struct fake_usb {
 	unsigned int depth_out, depth_in;	/* most transfers in flight at once */
 	unsigned int resets;		/* CONTROL.reset written */
 	unsigned int implicit_claims;	/* that the kernel made, with a warning in its log */
-	size_t memory_limit;		/* the kernel's for transfers in flight, bytes; 0: none */
 	unsigned int fired;		/* faults that have come, those of calls too */
 	uint64_t out_words, in_words;
 
@@ -125,6 +124,11 @@ void fake_usb_fail(const char *function, unsigned int at, int error);
 
 /* Each call of @function answers @error from now on, until that is disarmed. */
 void fake_usb_fail_always(const char *function, int error);
+
+/* The kernel has so many bytes for transfers in flight; 0: as many as there may be. */
+void fake_usb_limit_memory(size_t bytes);
+/* Most IN transfers that were in flight at once since it was asked the last time. */
+unsigned int fake_usb_take_depth_in(void);
 
 /* The cable, at once. Board memory and the state of the port stay, or with @power do not. */
 void fake_usb_unplug(unsigned int board);

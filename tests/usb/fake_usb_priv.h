@@ -101,7 +101,7 @@ struct fake_state {
 	uint64_t seed;
 	struct fake_bridge bridge[FAKE_USB_BOARDS];
 	struct fake_list ended;
-	size_t bytes_in_flight;
+	size_t bytes_in_flight, memory_limit;
 	bool held;
 	bool leap_always, hurry;
 

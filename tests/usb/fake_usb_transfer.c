@@ -158,8 +158,8 @@ static void check_claim(struct fake_transfer *transfer, const char *function)
 /* The kernel has a copy of each, and a bound for all of them. */
 static bool has_memory(const struct libusb_transfer *public)
 {
-	return !fake_usb.memory_limit ||
-	       fake.bytes_in_flight + (size_t)public->length <= fake_usb.memory_limit;
+	return !fake.memory_limit ||
+	       fake.bytes_in_flight + (size_t)public->length <= fake.memory_limit;
 }
 
 static void count_depth(const struct fake_list *list, unsigned int *most)
