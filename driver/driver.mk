@@ -40,13 +40,17 @@ install-module: $(MODULE) ## install gloss.ko for the kernel of KDIR (DESTDIR)
 	$(Q)install -D -m 644 $< $(DESTDIR)/lib/modules/$(KRELEASE)/updates/gloss.ko
 	$(Q)[ -n "$(DESTDIR)" ] || depmod $(KRELEASE)
 
-.PHONY: check-dkms
+.PHONY: check-dkms check-kbuild
 check-dkms: ## dkms.conf builds gloss.ko for each Debian kernel here
 	$(call quiet,DKMS,driver)
 	$(Q)kernels=$$(tests/vm/kernels --release) && \
 		{ tests/install/test_dkms.sh $(BUILD)/tests/dkms $$kernels || [ $$? -eq 77 ]; }
 
-CHECKS += check-dkms
+check-kbuild: ## make -C KDIR M=$PWD in the top folder builds gloss.ko
+	$(call quiet,KBUILD,Kbuild)
+	$(Q)tests/install/test_kbuild.sh $(BUILD)/tests/kbuild $(KDIR)
+
+CHECKS += check-dkms check-kbuild
 
 # Static checks. The tools that the headers lack come out of the kernel's sources.
 KERNEL_SOURCE ?= $(lastword $(sort $(wildcard /usr/src/linux-source-*.tar.*)))

@@ -20,6 +20,8 @@
 #define GLOSS_PCI_DEVICE	0x474c
 #define GLOSS_PCI_SUBDEVICE	0x534f
 #define GLOSS_PCI_BAR		0
+/* The registers, up to the last one that is used here. */
+#define GLOSS_REG_BYTES		(GLOSS_REG_STALL_RESPONSE + sizeof(u32))
 
 unsigned int gloss_job_limit_ms = 10000;
 module_param_named(job_limit_ms, gloss_job_limit_ms, uint, 0644);
@@ -111,6 +113,12 @@ static int gloss_pci_enable(struct gloss_device *gdev)
 	ret = pcim_enable_device(pdev);
 	if (ret)
 		return ret;
+
+	/* What is not there reads as all ones, and may be another device's. */
+	if (pci_resource_len(pdev, GLOSS_PCI_BAR) < GLOSS_REG_BYTES)
+		return dev_err_probe(&pdev->dev, -ENODEV, "BAR %d has only %llu bytes\n",
+				     GLOSS_PCI_BAR,
+				     (u64)pci_resource_len(pdev, GLOSS_PCI_BAR));
 
 	ret = pcim_iomap_regions(pdev, BIT(GLOSS_PCI_BAR), "gloss");
 	if (ret)
