@@ -6,6 +6,7 @@
 #ifndef GLOSS_COMPAT_H
 #define GLOSS_COMPAT_H
 
+#include <drm/drm_drv.h>
 #include <drm/drm_prime.h>
 #include <drm/gpu_scheduler.h>
 #include <linux/dma-buf.h>
@@ -112,6 +113,18 @@ static inline void gloss_compat_dma_buf_unmap(struct dma_buf_attachment *attach,
 	dma_buf_unmap_attachment_unlocked(attach, sgt, DMA_BIDIRECTIONAL);
 #else
 	dma_buf_unmap_attachment(attach, sgt, DMA_BIDIRECTIONAL);
+#endif
+}
+
+/* Tells by a uevent that the board was reset, or is lost. */
+static inline void gloss_compat_wedged(struct drm_device *drm, bool recovered)
+{
+#if defined(GLOSS_HAVE_DEV_WEDGED_EVENT_INFO)
+	drm_dev_wedged_event(drm, recovered ? DRM_WEDGE_RECOVERY_NONE :
+			     DRM_WEDGE_RECOVERY_REBIND | DRM_WEDGE_RECOVERY_BUS_RESET, NULL);
+#elif defined(GLOSS_HAVE_DEV_WEDGED_EVENT)
+	drm_dev_wedged_event(drm, recovered ? DRM_WEDGE_RECOVERY_NONE :
+			     DRM_WEDGE_RECOVERY_REBIND | DRM_WEDGE_RECOVERY_BUS_RESET);
 #endif
 }
 

@@ -18,30 +18,6 @@ static struct gloss_device *gloss_debugfs_device(struct seq_file *m)
 
 #define GLOSS_DEBUGFS_REG(name) { #name, GLOSS_REG_##name }
 
-static const struct debugfs_reg32 gloss_debugfs_regs[] = {
-	GLOSS_DEBUGFS_REG(IDENTITY),
-	GLOSS_DEBUGFS_REG(VERSION),
-	GLOSS_DEBUGFS_REG(CAPABILITIES),
-	GLOSS_DEBUGFS_REG(MEMORY_PAGES),
-	GLOSS_DEBUGFS_REG(CONTROL),
-	GLOSS_DEBUGFS_REG(STATUS),
-	GLOSS_DEBUGFS_REG(INTERRUPT_STATUS),
-	GLOSS_DEBUGFS_REG(INTERRUPT_MASK),
-	GLOSS_DEBUGFS_REG(RING_LOW),
-	GLOSS_DEBUGFS_REG(RING_HIGH),
-	GLOSS_DEBUGFS_REG(RING_LOG2),
-	GLOSS_DEBUGFS_REG(HEAD),
-	GLOSS_DEBUGFS_REG(TAIL),
-	GLOSS_DEBUGFS_REG(COMPLETION_LOW),
-	GLOSS_DEBUGFS_REG(COMPLETION_HIGH),
-	GLOSS_DEBUGFS_REG(FAULT_CAUSE),
-	GLOSS_DEBUGFS_REG(FAULT_OFFSET),
-	GLOSS_DEBUGFS_REG(FAULT_SEQUENCE),
-	GLOSS_DEBUGFS_REG(DMA_ERROR_LOW),
-	GLOSS_DEBUGFS_REG(DMA_ERROR_HIGH),
-	GLOSS_DEBUGFS_REG(PROGRESS),
-};
-
 static const struct debugfs_reg32 gloss_debugfs_counts[] = {
 	GLOSS_DEBUGFS_REG(JOBS),
 	GLOSS_DEBUGFS_REG(CLOCKS_LOW),
@@ -69,7 +45,7 @@ static int gloss_debugfs_print_regs(struct seq_file *m, const struct debugfs_reg
 
 static int gloss_debugfs_registers(struct seq_file *m, void *unused)
 {
-	return gloss_debugfs_print_regs(m, gloss_debugfs_regs, ARRAY_SIZE(gloss_debugfs_regs));
+	return gloss_debugfs_print_regs(m, gloss_coredump_regs, GLOSS_COREDUMP_REGS);
 }
 
 /* What the board counts since its reset. */

@@ -13,7 +13,7 @@
  *   gloss_sched   the DRM scheduler, and what happens to a job that hangs
  *   gloss_turn    which job is next
  *   gloss_ring    jobs the board has
- *   gloss_irq     what it says of them
+ *   gloss_irq     what it says of them; gloss_coredump, what is kept of a lost one
  *   gloss_fence   fences of jobs
  *
  * Locks, outer ones first: gloss_clear.queue_lock, a reservation (dma_resv),
@@ -32,6 +32,7 @@
 #include <drm/drm_gem_shmem_helper.h>
 #include <drm/drm_mm.h>
 #include <drm/gpu_scheduler.h>
+#include <linux/debugfs.h>
 #include <linux/dma-fence.h>
 #include <linux/io.h>
 #include <linux/kref.h>
@@ -61,6 +62,7 @@
 /* A job's objects: its slots, stream, response and status. */
 #define GLOSS_JOB_OBJECTS	(GLOSS_SLOTS + 3)
 
+struct gloss_coredump;
 struct gloss_device;
 struct gloss_job;
 
@@ -211,6 +213,8 @@ struct gloss_device {
 	struct delayed_work watch;		/* looks whether the board still moves */
 	struct workqueue_struct *free_wq;	/* frees jobs that have ended */
 	atomic_t resets, interrupts_lost;	/* for debugfs */
+	struct gloss_coredump *coredump;	/* the next that @report offers, or NULL */
+	struct work_struct report;		/* of a reset, on free_wq */
 
 	atomic_t jobs;			/* that exist, whatever their state */
 	atomic_t jobs_ended;		/* of these, ended and not yet freed */
@@ -329,6 +333,8 @@ struct gloss_job {
 	u32 sequence;
 	u32 stream_words, response_words;
 	dma_addr_t stream_list, response_list;
+	struct gloss_host *stream;	/* one of @objects, or NULL: for a dump of it */
+	u64 stream_offset;
 	struct gloss_job_slot slot[GLOSS_SLOTS];
 
 	/* Where the status goes; NULL: nowhere. The page is pinned by one of @objects. */
@@ -496,6 +502,7 @@ s64 gloss_ring_ran_ms(struct gloss_ring *ring);
 s64 gloss_ring_left_ms(struct gloss_ring *ring, unsigned int limit_ms, int *error);
 void gloss_ring_rewind(struct gloss_ring *ring);
 int gloss_ring_start(struct gloss_device *gdev);
+struct gloss_job *gloss_ring_find(struct gloss_ring *ring, u32 sequence);
 bool gloss_ring_idle(struct gloss_ring *ring);
 u64 gloss_ring_engine_ns(struct gloss_ring *ring, const struct gloss_file *file);
 
@@ -517,6 +524,17 @@ static inline u64 gloss_file_client(const struct gloss_file *file)
 {
 	return file ? file->entity[0].fence_context : 0;
 }
+
+/* gloss_coredump.c */
+#define GLOSS_COREDUMP_REGS	21
+
+/* What says what the board is doing, by name. */
+extern const struct debugfs_reg32 gloss_coredump_regs[GLOSS_COREDUMP_REGS];
+
+struct gloss_coredump *gloss_coredump_new(struct gloss_device *gdev);
+void gloss_coredump_job(struct gloss_device *gdev, struct gloss_coredump *dump,
+			const struct gloss_ring_fault *fault);
+void gloss_coredump_init(struct gloss_device *gdev);
 
 /* gloss_debugfs.c, gloss_fdinfo.c */
 void gloss_debugfs_init(struct drm_minor *minor);

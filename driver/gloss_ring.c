@@ -246,6 +246,18 @@ void gloss_ring_fail(struct gloss_ring *ring, int error)
 	spin_unlock_irqrestore(&ring->lock, flags);
 }
 
+/* The job of the ring with @sequence, or NULL; under its lock. */
+struct gloss_job *gloss_ring_find(struct gloss_ring *ring, u32 sequence)
+{
+	struct gloss_job *job;
+
+	lockdep_assert_held(&ring->lock);
+	list_for_each_entry(job, &ring->list, ring_node)
+		if (job->sequence == sequence)
+			return job;
+	return NULL;
+}
+
 /*
  * Finds who is to blame for a reset: the job with @sequence, or else the first. It will not
  * be run again, but end with the error of @fault, which is completed. False: there is nobody
@@ -253,15 +265,12 @@ void gloss_ring_fail(struct gloss_ring *ring, int error)
  */
 bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault)
 {
-	struct gloss_job *job, *named;
+	struct gloss_job *job;
 	unsigned long flags;
 	bool found;
 
 	spin_lock_irqsave(&ring->lock, flags);
-	job = gloss_ring_first(ring);
-	list_for_each_entry(named, &ring->list, ring_node)
-		if (named->sequence == sequence)
-			job = named;
+	job = gloss_ring_find(ring, sequence) ?: gloss_ring_first(ring);
 	found = job && job->hangs++ < GLOSS_JOB_HANGS;
 	if (found) {
 		trace_gloss_reset(job->gdev, job);

@@ -21,6 +21,7 @@
 #include <drm/drm_print.h>
 #include <linux/bitfield.h>
 #include <linux/iopoll.h>
+#include <linux/slab.h>
 #include <linux/workqueue.h>
 
 #include "gloss_drv.h"
@@ -125,6 +126,7 @@ static void gloss_sched_tell(struct gloss_device *gdev, const struct gloss_ring_
 static int gloss_sched_reset(struct gloss_device *gdev, bool dma, int error)
 {
 	struct gloss_ring_fault fault = { .status.error = error };
+	struct gloss_coredump *dump = gloss_coredump_new(gdev);
 	struct gloss_ring *ring = &gdev->ring;
 	unsigned int ended;
 	int ret;
@@ -134,17 +136,24 @@ static int gloss_sched_reset(struct gloss_device *gdev, bool dma, int error)
 	atomic_inc(&gdev->resets);
 	ret = gloss_device_reset(gdev);
 	if (ret)
-		return ret;
+		goto free_dump;
 
 	/* The board may have ended jobs after all, as the last thing before its reset. */
 	ended = gloss_ring_reap(ring);
 	if ((dma || !ended) && !gloss_ring_idle(ring)) {
-		if (!gloss_ring_blame(ring, fault.sequence, &fault))
-			return -EIO;
+		ret = gloss_ring_blame(ring, fault.sequence, &fault) ? 0 : -EIO;
+		if (ret)
+			goto free_dump;
 		gloss_sched_tell(gdev, &fault, dma);
+		gloss_coredump_job(gdev, dump, &fault);
+		dump = NULL;
 	}
 	gloss_ring_rewind(ring);
-	return gloss_ring_start(gdev);
+	ret = gloss_ring_start(gdev);
+
+free_dump:
+	kfree(dump);
+	return ret;
 }
 
 /* Whether the board has done anything in the last timeout_ms, or has not had a job for so long. */
@@ -322,6 +331,7 @@ int gloss_sched_init(struct gloss_device *gdev)
 
 	gloss_turns_init(&gdev->turns);
 	INIT_DELAYED_WORK(&gdev->watch, gloss_sched_watch);
+	gloss_coredump_init(gdev);
 	ret = gloss_sched_init_queues(gdev) ?:
 	      gloss_compat_sched_init(&gdev->sched, &gloss_sched_ops, GLOSS_RING_ENTRIES - 1,
 				      gdev->drm.dev);

@@ -98,6 +98,10 @@ static int gloss_submit_words(struct gloss_job *job, struct drm_file *file, u32 
 	if (IS_ERR(host))
 		return PTR_ERR(host);
 
+	if (!write) {
+		job->stream = host;
+		job->stream_offset = offset;
+	}
 	*list = host->list_address + offset / GLOSS_PAGE_BYTES * sizeof(*host->list);
 	return gloss_job_use(job, &host->base.base, write);
 }

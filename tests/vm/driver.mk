@@ -4,11 +4,12 @@
 
 VM_TESTS += user:test_ioctl user:test_submit user:test_isolation:600 root:test_storm:600 \
 	root:test_inspect root:test_fault:600 root:test_unplug:600 \
-	root:test_failslab:600 user:test_fuzz_ioctl user:test_memory:600 root:test_swap root:test_fences
+	root:test_failslab:600 user:test_fuzz_ioctl user:test_memory:600 root:test_swap root:test_fences \
+	root:test_coredump
 VM_BENCHES += root:test_latency
 
 DRIVER_TESTS := $(addprefix $(BUILD)/tests/vm/test_, ioctl submit isolation storm latency inspect \
-	fault unplug failslab fuzz_ioctl memory swap fences)
+	fault unplug failslab fuzz_ioctl memory swap fences coredump)
 $(DRIVER_TESTS): $(BUILD)/tests/vm/gloss_node.o
 
 $(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug swap): \
@@ -19,6 +20,8 @@ $(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
 
 # Where the C library has dlopen() apart.
 $(BUILD)/tests/vm/test_inspect: VM_LIBS += -ldl
+
+VM_NEEDS += $(BUILD)/gloss-decode
 
 # What tests need of their own in the kernel, built beside gloss.ko for the kernel it is for.
 VM_MODULES := $(MODULE_BUILD)/test/.built
