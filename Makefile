@@ -29,6 +29,9 @@ endif
 RTL_SOURCES = rtl/gloss_pkg.sv $(filter-out rtl/port/% rtl/board/%,$(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv))) \
 	rtl/gloss_core.sv
 
+# Benches and simulators stop where a contract of the RTL is broken.
+VERILATE := verilator --cc --exe --build --assert
+
 # What the fragments add to.
 ALL        :=
 UNIT_TESTS :=

@@ -20,7 +20,7 @@ SIM_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) \
 define sim_plugin
 	$(call quiet,SIM,$@)
 	@mkdir -p $(@D)/$*
-	$(Q)verilator --cc --exe --build -sv -O3 --x-assign fast --x-initial fast --noassert \
+	$(Q)$(VERILATE) -sv -O3 --x-assign fast --x-initial fast \
 		-Wno-lint -Wno-style -Irtl --top-module gloss_core --prefix Vgloss_core \
 		-GTileSize=$(call sim_tile,$*) -GPixelsPerClock=$(call sim_lanes,$*) \
 		-GStreamBits=$(call sim_stream,$*) --Mdir $(@D)/$* \

@@ -248,4 +248,21 @@ module gloss_core #(
     .time_o
   );
 
+`ifndef SYNTHESIS
+  logic begun_q, copied_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) {begun_q, copied_q} <= '0;
+    else {begun_q, copied_q} <= {tile_begin_valid && tile_begin_ready, copy_valid && copy_ready};
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      tile_busy_at_once: assert (!begun_q || !tile_idle);
+      copy_busy_at_once: assert (!copied_q || !copy_idle);
+      one_answer: assert (2'(counters_valid) + 2'(answer_valid) + 2'(words_valid) <= 2'd1);
+    end
+  end
+`endif
+
 endmodule

@@ -9,7 +9,7 @@ define lib_bench
 $(BUILD)/rtl/lib-$(1)/bench: tests/rtl/tb_lib.cpp tests/rtl/tb.h rtl/lib/$(1).sv rtl/lib/ram_1r1w.sv
 	$$(call quiet,RTL,$$@)
 	$(Q)mkdir -p $$(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-initial unique --top-module $(1) -GWidth=37 \
+	$(Q)$(VERILATE) -O3 --x-initial unique --top-module $(1) -GWidth=37 \
 		$(call LIB_DEPTH,$(1)) -Irtl/lib --Mdir $$(@D) -o bench \
 		-CFLAGS "-DTOP=$(1) -DCAPACITY=$(2) -I$$(CURDIR)/tests/rtl" \
 		rtl/lib/$(1).sv $$(CURDIR)/tests/rtl/tb_lib.cpp >$$(@D)/log || \
@@ -34,7 +34,7 @@ $(BUILD)/rtl/command-$(1)-$(2)-$(3)/bench: tests/rtl/tb_command.cpp tests/rtl/co
 		tests/rtl/tb.h $(COMMAND_SOURCES) rtl/gloss_hw.svh $(COMMAND_MODEL)
 	$$(call quiet,RTL,$$@)
 	$(Q)mkdir -p $$(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module command \
+	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module command \
 		-GTileSize=$(1) -GPixelsPerClock=$(2) -GStreamBits=$(3) -Irtl --Mdir $$(@D) -o bench \
 		-CFLAGS "-O2 -DTILE=$(1) -DLANES=$(2) -DSTREAM=$(3) -I$$(CURDIR)/libaccel" \
 		$$(COMMAND_SOURCES) $$(CURDIR)/tests/rtl/tb_command.cpp $$(COMMAND_MODEL:%=$$(CURDIR)/%) \

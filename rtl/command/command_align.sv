@@ -8,7 +8,7 @@ module command_align #(
   input  logic                               clk_i,
   input  logic                               rst_ni,
 
-  input  logic                               start_i, // nothing is taken in the two clocks after
+  input  logic                               start_i, // nothing is taken in this clock and the next
   input  logic [31:0]                        words_i, // of the job
 
   input  logic                               stream_valid_i,
@@ -100,5 +100,22 @@ module command_align #(
       end
     end
   end
+
+`ifndef SYNTHESIS
+  logic started_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) started_q <= 1'b0;
+    else started_q <= start_i;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      take_what_is_there: assert (take_i <= have_o);
+      nothing_taken_at_start: assert (take_i == '0 || !(start_i || started_q));
+      end_when_none_left: assert (!end_o || started_q || left_q == 32'(take_q));
+    end
+  end
+`endif
 
 endmodule

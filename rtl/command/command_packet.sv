@@ -290,4 +290,12 @@ module command_packet #(
     end
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      header_holds: assert (state_q == Rest || $stable(header_i));
+    end
+  end
+`endif
+
 endmodule

@@ -166,4 +166,15 @@ module fragment #(
     end
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      no_block_twice_in_three_clocks: assert (!block_valid_i ||
+          (!(test_valid_q && {test_state_q.bank, test_row_q} == {read_bank_o, read_row_o}) &&
+           !(merge_valid_q && {merge_state_q.bank, merge_row_q} == {read_bank_o, read_row_o})));
+      end_after_last_block: assert (!end_i || !block_valid_i);
+    end
+  end
+`endif
+
 endmodule

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Memory with one read and one write port that infers block RAM: the word at read_addr_i is out one clock after
-// read_en_i and stays until the next read. Reading the address that is being written gives any word; the attribute says
-// so to yosys, which else builds a bypass of flip-flops around block RAM that has no rule for it.
+// read_en_i and stays until the next read. The address that is being written must not be read: block RAM gives any word
+// then. The attribute says so to yosys, which else builds a bypass of flip-flops around block RAM that has no rule for
+// it; a simulation stops, and one without assertions reads a wrong word.
 module ram_1r1w #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 256
@@ -19,10 +20,23 @@ module ram_1r1w #(
 
   (* no_rw_check *)
   logic [Width-1:0] memory [Depth];
+  logic [Width-1:0] word;
+
+`ifdef SYNTHESIS
+  assign word = memory[read_addr_i];
+`else
+  logic clash;
+  assign clash = write_en_i && read_en_i && write_addr_i == read_addr_i;
+  assign word = clash ? ~memory[read_addr_i] : memory[read_addr_i];
+
+  always_ff @(posedge clk_i) begin
+    not_read_while_written: assert (!clash);
+  end
+`endif
 
   always_ff @(posedge clk_i) begin
     if (write_en_i) memory[write_addr_i] <= write_data_i;
-    if (read_en_i) read_data_o <= memory[read_addr_i];
+    if (read_en_i) read_data_o <= word;
   end
 
 endmodule

@@ -56,4 +56,12 @@ module ram_fifo #(
     end
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      full_is_full: assert (full_q == ((head_q ^ tail_q) == {1'b1, {Bits{1'b0}}}));
+    end
+  end
+`endif
+
 endmodule

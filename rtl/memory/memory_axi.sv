@@ -110,4 +110,22 @@ module memory_axi #(
     else if ((axi_bvalid_i && axi_bresp_i != Okay) || (axi_rvalid_i && axi_rresp_i != Okay)) error_q <= 1'b1;
   end
 
+`ifndef SYNTHESIS
+  logic [15:0] rows_q;  // stored or loaded, and not yet answered
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) rows_q <= '0;
+    else rows_q <= rows_q + 16'(store_valid_i && store_ready_o) - 16'(store_done_o)
+        + (load_valid_i && load_ready_o ? 16'(RowLength) + 1'b1 : '0) - 16'(load_data_valid_o);
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      copy_alone: assert (!copy_busy_i || (!load_valid_i && !store_valid_i && !store_data_valid_i && rows_q == '0));
+      tiles_alone: assert (copy_busy_i || (!copy_write_valid_i && !copy_read_valid_i && !copy_write_data_valid_i));
+      answers_expected: assert (copy_busy_i || rows_q != '0 || !axi_bvalid_i);
+    end
+  end
+`endif
+
 endmodule

@@ -60,4 +60,14 @@ module memory_slot (
     else asked_q <= {asked_q[1:0], ask_i};
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      question_holds: assert (asked_q[1:0] == '0 || $stable({write_i, offset_i, extent_i}));
+      one_question: assert (asked_q == '0 || !ask_i);
+      table_holds: assert (!slot_write_i || !(ask_i || asked_q != '0));
+    end
+  end
+`endif
+
 endmodule

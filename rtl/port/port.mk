@@ -16,7 +16,7 @@ BOARD_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) -I$(abspath driver) \
 define board_plugin
 	$(call quiet,SIM,$@)
 	@mkdir -p $(@D)/$(1)-$*
-	$(Q)verilator --cc --exe --build -sv -O3 --x-assign fast --x-initial fast --noassert \
+	$(Q)$(VERILATE) -sv -O3 --x-assign fast --x-initial fast \
 		-Wno-lint -Wno-style -Irtl --top-module $(1) --prefix V$(1) \
 		-GTileSize=$(call sim_tile,$*) -GPixelsPerClock=$(call sim_lanes,$*) \
 		-GStreamBits=$(call sim_stream,$*) --Mdir $(@D)/$(1)-$* \
@@ -52,7 +52,7 @@ PORT_TB_usb := $(addprefix tests/rtl/,tb_port_usb.cpp tb_port_usb_faults.cpp por
 define port_bench
 	$(call quiet,RTL,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_$(1) \
+	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module port_$(1) \
 		$(4) --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
 		-CFLAGS "$(call raster_define,$(2)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
 		$(3) $(abspath $(filter %.cpp,$(PORT_TB_$(1)))) >$(@D)/log || { cat $(@D)/log; exit 1; }
@@ -93,7 +93,7 @@ GATE_SOURCES := rtl/port/port_gate.sv rtl/lib/stream_fifo.sv rtl/lib/stream_regi
 $(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tests/rtl/tb.h $(GATE_SOURCES)
 	$(call quiet,RTL,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module port_gate \
+	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module port_gate \
 		-GDataBits=$$((32 * $*)) --Mdir $(@D) -o bench \
 		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" -CFLAGS "-DLANES=$*" \
 		$(GATE_SOURCES) $(CURDIR)/tests/rtl/tb_port_gate.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }

@@ -83,4 +83,14 @@ module port_list #(
     end
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      start_when_idle: assert (!start_i || idle_o);
+      entry_has_room: assert (!(beat_valid_i && beat_last_i) || room);
+      beats_asked_for: assert (!beat_valid_i || asked_q);
+    end
+  end
+`endif
+
 endmodule

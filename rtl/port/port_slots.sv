@@ -100,4 +100,12 @@ module port_slots #(
     end
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      loaded_before_copied: assert (!copy_i || loaded_o);
+    end
+  end
+`endif
+
 endmodule

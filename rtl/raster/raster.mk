@@ -14,7 +14,7 @@ RASTER_ALL_CORES := 64-1-32 64-2-64 64-4-64 64-8-128 32-1-32 32-2-64 32-4-64 32-
 define raster_bench
 	$(call quiet,RTL,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module $(1) \
+	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module $(1) \
 		$(3) -Irtl --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O1 OPT_SLOW=-O0" \
 		-CFLAGS "$(4) -I$(CURDIR)/libaccel" $(2) $(CURDIR)/tests/rtl/tb_$(1).cpp >$(@D)/log || \
 		{ cat $(@D)/log; exit 1; }

@@ -256,4 +256,23 @@ module raster_load #(
 
   assign {blue_o, green_o, red_o} = surfaces;
 
+`ifndef SYNTHESIS
+  logic [1:0] row_taken_q;  // the record was taken one, two clocks ago
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) row_taken_q <= '0;
+    else row_taken_q <= {row_taken_q[0], row_take_i};
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      header_a_clock_late: assert (!take_header || !row_take_i);
+      depth_two_clocks_late: assert (!take_part[gloss_pkg::PART_DEPTH] || !(row_take_i || row_taken_q[0]));
+      colour_three_clocks_late: assert (!(take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_ALPHA]) ||
+          !(row_take_i || row_taken_q != '0));
+      alpha_set_once: assert (!(set_constant && take_part[gloss_pkg::PART_ALPHA]));
+    end
+  end
+`endif
+
 endmodule

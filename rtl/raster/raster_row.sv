@@ -206,4 +206,28 @@ module raster_row #(
 
   assign idle_o = !busy_q && !step_q && valid_q == '0 && end_q == '0;
 
+`ifndef SYNTHESIS
+  logic [1:0] late_q;   // a block was out one, two clocks ago
+  logic       taken_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      late_q <= '0;
+      taken_q <= 1'b0;
+    end else begin
+      late_q <= {late_q[0], block_valid_o};
+      taken_q <= take_o;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      gap_before_triangle: assert (!(start && new_q) || (!step_q && recent_q == '0));
+      gap_before_end: assert (!end_o || (valid_q[Latency-1] == 1'b0 && late_q == '0));
+      state_stays_for_run: assert (!run_first_q || !taken_q);
+      run_in_tile: assert (!start || {1'b0, span_block_i} + {1'b0, span_more_i} < (XBits+1)'(TileSize / PixelsPerClock));
+    end
+  end
+`endif
+
 endmodule

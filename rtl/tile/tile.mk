@@ -11,7 +11,7 @@ $(BUILD)/rtl/$(1)-$(2)-$(3)/bench: tests/rtl/tb_$(1).cpp $(wildcard tests/rtl/$(
 		$(wildcard rtl/$(1)/*.sv) rtl/gloss_pkg.sv rtl/gloss_hw.svh $(5)
 	$$(call quiet,RTL,$$@)
 	$(Q)mkdir -p $$(@D)
-	$(Q)verilator --cc --exe --build -O3 --x-assign unique --x-initial unique --top-module $(1) \
+	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module $(1) \
 		-GTileSize=$(2) -GPixelsPerClock=$(3) -Irtl --Mdir $$(@D) -o bench \
 		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
 		-CFLAGS "-DTILE=$(2) -DLANES=$(3) -I$$(CURDIR)/libaccel" \

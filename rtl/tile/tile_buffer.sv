@@ -4,8 +4,9 @@
 // in it (drawn_o), tile_store reads it (stored_o) while tile_load may already write behind it.
 //
 // Each row of colour and of depth carries the mark it was written with; it belongs to the tile if that is mark_o, else
-// it stands for the clear value. Rows come one clock after the read and stay until the next. A row must not be read in
-// the clock it is written.
+// it stands for the clear value. Rows come one clock after the read and stay until the next of that part. A row of a
+// part must not be read in the clock it is written; so tile_store, behind which tile_load writes one part while it reads
+// the other, reads each by itself.
 module tile_buffer #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4,
@@ -37,7 +38,8 @@ module tile_buffer #(
   input  logic                draw_done_i,
 
   // from tile_store
-  input  logic                store_read_en_i,
+  input  logic                store_colour_en_i,
+  input  logic                store_depth_en_i,
   input  logic [RowBits-1:0]  store_read_row_i,
   input  logic                store_done_i,
 
@@ -55,7 +57,6 @@ module tile_buffer #(
   logic drawn_q, stored_q;
   logic [MarkBits-1:0] mark_q;
   logic [31:0] clear_colour_q, clear_depth_q;
-  logic read_en;
   logic [RowBits-1:0] read_row, write_row;
 
   assign drawn_o = drawn_q;
@@ -64,7 +65,6 @@ module tile_buffer #(
   assign clear_colour_o = clear_colour_q;
   assign clear_depth_o = clear_depth_q;
 
-  assign read_en = drawn_q ? draw_read_en_i : store_read_en_i;
   assign read_row = drawn_q ? draw_read_row_i : store_read_row_i;
   assign write_row = drawn_q ? draw_write_row_i : load_row_i;
 
@@ -76,7 +76,7 @@ module tile_buffer #(
     .write_en_i  (drawn_q ? draw_write_en_i : load_colour_en_i),
     .write_addr_i(write_row),
     .write_data_i(drawn_q ? {mark_q, draw_colour_i} : {load_colour_mark_i, load_data_i}),
-    .read_en_i   (read_en),
+    .read_en_i   (drawn_q ? draw_read_en_i : store_colour_en_i),
     .read_addr_i (read_row),
     .read_data_o ({colour_mark_o, colour_o})
   );
@@ -89,7 +89,7 @@ module tile_buffer #(
     .write_en_i  (drawn_q ? draw_write_en_i : load_depth_en_i),
     .write_addr_i(write_row),
     .write_data_i(drawn_q ? {mark_q, draw_depth_i} : {load_depth_mark_i, load_data_i}),
-    .read_en_i   (read_en),
+    .read_en_i   (drawn_q ? draw_read_en_i : store_depth_en_i),
     .read_addr_i (read_row),
     .read_data_o ({depth_mark_o, depth_o})
   );
@@ -118,5 +118,16 @@ module tile_buffer #(
       end
     end
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      prepared_when_free: assert (!load_done_i || (!drawn_q && !stored_q));
+      loaded_when_not_drawn: assert (!(load_colour_en_i || load_depth_en_i) || !drawn_q);
+      drawn_when_prepared: assert (!(draw_read_en_i || draw_write_en_i || draw_done_i) || drawn_q);
+      stored_when_drawn: assert (!(store_colour_en_i || store_depth_en_i || store_done_i) || stored_q);
+    end
+  end
+`endif
 
 endmodule

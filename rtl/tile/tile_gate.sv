@@ -48,4 +48,12 @@ module tile_gate #(
     end
   end
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      one_ready_a_bank: assert (ready_q <= 2'd2);
+    end
+  end
+`endif
+
 endmodule

@@ -63,8 +63,7 @@ module tile_load #(
   logic take, exhausted, write, last, data_valid;
   logic bank_free, behind, colour_free, depth_free;
 
-  // tile_fetch leaves room for all it asks for.
-  logic unused_fifo_ready;
+  logic room;  // always: tile_fetch leaves room for all it asks for
 
   ram_fifo #(
     .Width(Width),
@@ -73,7 +72,7 @@ module tile_load #(
     .clk_i  (clk_i),
     .rst_ni (rst_ni),
     .valid_i(load_data_valid_i),
-    .ready_o(unused_fifo_ready),
+    .ready_o(room),
     .data_i (load_data_i),
     .valid_o(data_valid),
     .ready_i(beat_taken_o),
@@ -164,5 +163,13 @@ module tile_load #(
       end
     end
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      loaded_beats_have_room: assert (room || !load_data_valid_i);
+    end
+  end
+`endif
 
 endmodule

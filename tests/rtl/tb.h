@@ -179,8 +179,11 @@ public:
 	/* Inputs of the first clock after this are still to be set. */
 	void reset()
 	{
-		tb_reset(top, 0, 0);
+		/* An edge of the reset, which has its effect before the first clock. */
 		top.clk_i = 0;
+		tb_reset(top, 1, 0);
+		top.eval();
+		tb_reset(top, 0, 0);
 		top.eval();
 		tick();
 		tick();
