@@ -50,8 +50,9 @@
 /* Jobs that have ended since the reset, modulo 2^32. */
 #define GLOSS_REG_JOBS 0x060
 /*
- * Clocks in which the core had a job, of the jobs that have ended since the reset: lower half. 0 on
- * a board without a clock.
+ * Clocks in which the core had a job, of the jobs that have ended since the reset: lower half. A
+ * board without a clock, or built without these counters, has 0 here and in the six registers after
+ * it; so a board that counts is told by clocks once a job has ended.
  */
 #define GLOSS_REG_CLOCKS_LOW 0x064
 /* Upper half of these clocks; it moves only when a job ends. */

@@ -10,7 +10,8 @@
 module gloss_core #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
-  parameter int unsigned StreamBits = 32
+  parameter int unsigned StreamBits = 32,
+  parameter int unsigned TimeCounters = 1   // 0: none of the registers of clocks and stalls
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -63,6 +64,10 @@ module gloss_core #(
   input  logic                         axi_rlast_i,
   input  logic [1:0]                   axi_rresp_i
 );
+
+  core_parameters #(
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
+  ) u_parameters ();
 
   localparam int unsigned XBits = $clog2(TileSize / PixelsPerClock);
   localparam int unsigned YBits = $clog2(TileSize);
@@ -240,13 +245,19 @@ module gloss_core #(
     end
   end
 
-  command_clocks u_clocks (
-    .clk_i, .rst_ni,
-    .start_i(job_valid_i && job_ready_o), .end_i(status_valid_o),
-    .stall_stream_i(stall_stream), .stall_raster_i(stall_raster), .stall_tile_i(stall_tile),
-    .stall_memory_i(stall_memory), .stall_response_i(stall_response),
-    .time_o
-  );
+  if (TimeCounters != 0) begin : gen_clocks
+    command_clocks u_clocks (
+      .clk_i, .rst_ni,
+      .start_i(job_valid_i && job_ready_o), .end_i(status_valid_o),
+      .stall_stream_i(stall_stream), .stall_raster_i(stall_raster), .stall_tile_i(stall_tile),
+      .stall_memory_i(stall_memory), .stall_response_i(stall_response),
+      .time_o
+    );
+  end else begin : gen_no_clocks
+    logic unused;
+    assign unused = ^{stall_stream, stall_raster, stall_tile, stall_memory, stall_response};
+    assign time_o = '0;
+  end
 
 `ifndef SYNTHESIS
   logic begun_q, copied_q;

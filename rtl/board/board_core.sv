@@ -5,7 +5,8 @@
 module board_core #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
-  parameter int unsigned StreamBits = 32
+  parameter int unsigned StreamBits = 32,
+  parameter int unsigned TimeCounters = 1   // 0: none of the registers of clocks and stalls
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -70,7 +71,7 @@ module board_core #(
   logic [1:0] bresp, rresp;
 
   gloss_core #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
   ) u_core (
     .clk_i, .rst_ni(core_rst_ni),
     .slot_write_i, .slot_index_i, .slot_base_i, .slot_size_i, .slot_rights_i,

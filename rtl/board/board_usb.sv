@@ -4,7 +4,8 @@
 module board_usb #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
-  parameter int unsigned StreamBits = 32
+  parameter int unsigned StreamBits = 32,
+  parameter int unsigned TimeCounters = 1   // 0: none of the registers of clocks and stalls
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -66,7 +67,7 @@ module board_usb #(
   logic memory_stop, memory_stopped, memory_idle;
 
   port_usb #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
   ) u_port (
     .clk_i, .rst_ni, .memory_pages_i,
     .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
@@ -87,7 +88,7 @@ module board_usb #(
   );
 
   board_core #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
   ) u_core (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
     .slot_write_i(slot_write), .slot_index_i(slot_index), .slot_base_i(slot_base),

@@ -17,6 +17,10 @@ module stream_fifo #(
   output logic [Width-1:0] data_o
 );
 
+  if (Depth < 2 || (Depth & (Depth - 1)) != 0) begin : gen_depth
+    $error("Depth must be a power of two, at least 2");
+  end
+
   localparam int unsigned Bits = $clog2(Depth);
 
   logic [Width-1:0] memory [Depth];

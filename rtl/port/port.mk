@@ -38,10 +38,13 @@ BOARD_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-board-%.so)
 USB_RTL_PLUGIN := $(BOARD_CORES:%=$(BUILD)/sim/accel-usb-%.so)
 ALL += $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN)
 
-# Each port alone, at each width of its own; port_gate alone.
-PORT_CORES := 32-1-32 64-4-64 64-8-128
+# Each port alone, at each width of its own, one without counters of clocks; port_gate alone.
+PORT_CORES := 32-1-32 64-4-64-0 64-8-128
+port_counters = $(or $(word 4,$(1)),1)
+port_set = $(call raster_set,$(1)) -GTimeCounters=$(call port_counters,$(1))
+port_define = $(call raster_define,$(1)) -DTIME_COUNTERS=$(call port_counters,$(1))
 PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
-	ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
+	core_parameters.sv ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
 PORT_TB_NEEDS := $(addprefix tests/rtl/,port_access.h port_core.h tb.h) \
 	driver/gloss_regs.h libaccel/gloss_packets.h
 PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h)
@@ -54,7 +57,7 @@ define port_bench
 	$(Q)mkdir -p $(@D)
 	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module port_$(1) \
 		$(4) --Mdir $(@D) -o bench -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" \
-		-CFLAGS "$(call raster_define,$(2)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
+		-CFLAGS "$(call port_define,$(2)) -I$(CURDIR)/driver -I$(CURDIR)/libaccel" \
 		$(3) $(abspath $(filter %.cpp,$(PORT_TB_$(1)))) >$(@D)/log || { cat $(@D)/log; exit 1; }
 endef
 
@@ -63,7 +66,7 @@ define port_read
 	$(call quiet,YOSYS,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)yosys -q -p "read_verilog -sv -Irtl $(PORT_TB_SOURCES); \
-		chparam $(subst -G,-set ,$(subst =, ,$(call raster_set,$(call raster_core,$*)))) port_$(1); \
+		chparam $(subst -G,-set ,$(subst =, ,$(call port_set,$(call raster_core,$*)))) port_$(1); \
 		hierarchy -check -top port_$(1); proc; flatten; opt; rename -top port_$(1); \
 		write_verilog -noattr $@" >$(@D)/yosys.log 2>&1 || { cat $(@D)/yosys.log; exit 1; }
 endef
@@ -72,7 +75,7 @@ endef
 define port_rules
 $$(BUILD)/rtl/port-$(1)-%/bench: $$(PORT_TB_$(1)) $$(PORT_TB_NEEDS) $$(PORT_TB_SOURCES) rtl/gloss_hw.svh
 	$$(call port_bench,$(1),$$(call raster_core,$$*),$$(PORT_TB_SOURCES),-Irtl $$(call \
-		raster_set,$$(call raster_core,$$*)))
+		port_set,$$(call raster_core,$$*)))
 
 $$(BUILD)/rtl/read-port-$(1)-%/port_$(1).v: $$(PORT_TB_SOURCES) rtl/gloss_hw.svh
 	$$(call port_read,$(1))
@@ -98,8 +101,12 @@ $(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tes
 		-MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" -CFLAGS "-DLANES=$*" \
 		$(GATE_SOURCES) $(CURDIR)/tests/rtl/tb_port_gate.cpp >$(@D)/log || { cat $(@D)/log; exit 1; }
 
-.PHONY: rtl-port
+.PHONY: rtl-port rtl-parameters
 rtl-port: $(PORT_BENCHES) ## the ports: jobs, events, what a bus may do wrong, resets, with random stalls
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
-CHECKS += rtl-port
+rtl-parameters: ## Verilator and yosys refuse parameters that the RTL was not made for
+	$(call quiet,TEST,$@)
+	$(Q)tests/rtl/parameters $(BOARD_SOURCES)
+
+CHECKS += rtl-port rtl-parameters

@@ -62,6 +62,10 @@ module port_gate #(
   input  logic [1:0]             axi_rresp_i
 );
 
+  if (DataBits < 8 || DataBits % 8 != 0) begin : gen_data_bits
+    $error("DataBits must be whole bytes");
+  end
+
   // Bursts under way are counted, so they have to be few enough.
   localparam int unsigned CountBits = 8;
   localparam int unsigned LengthsDepth = 8;

@@ -38,6 +38,10 @@ module port_host_read #(
   input  logic [1:0]            rresp_i
 );
 
+  if (Readers < 2) begin : gen_readers
+    $error("Readers must be at least 2");
+  end
+
   localparam int unsigned Outstanding = 16;
   localparam logic [1:0] Okay = 2'b00;
 

@@ -18,7 +18,8 @@
 module port_pci #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
-  parameter int unsigned StreamBits = 32
+  parameter int unsigned StreamBits = 32,
+  parameter int unsigned TimeCounters = 1   // 0: none of the registers of clocks and stalls
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -88,6 +89,10 @@ module port_pci #(
   input  logic                         memory_stopped_i,
   input  logic                         memory_idle_i
 );
+
+  core_parameters #(
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
+  ) u_parameters ();
 
   // Who reads, the first first.
   localparam int unsigned Readers = 5;
@@ -174,7 +179,8 @@ module port_pci #(
   );
 
   port_registers #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .RingMaxLog2(gloss_pkg::RingMaxLog2)
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .TimeCounters(TimeCounters),
+    .RingMaxLog2(gloss_pkg::RingMaxLog2)
   ) u_registers (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
     .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,

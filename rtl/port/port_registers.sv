@@ -6,6 +6,7 @@
 module port_registers #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
+  parameter int unsigned TimeCounters = 1,
   parameter int unsigned RingMaxLog2 = 0
 ) (
   input  logic                      clk_i,
@@ -62,9 +63,8 @@ module port_registers #(
 
   logic [3:0] moved_q;
   logic [31:0] progress_q, jobs_q;
-  gloss_pkg::time_counters_t sums_q;
-  logic clocks_carry, clocks_carry_q;
-  logic [31:0] clocks, clocks_high_q;
+  gloss_pkg::time_counters_t sums;
+  logic [31:0] clocks_high;
 
   assign address_o = {reg_addr_i[15:2], 2'b00};
   assign reg_ready_o = ready_q;
@@ -87,13 +87,13 @@ module port_registers #(
       gloss_pkg::REG_FAULT_SEQUENCE: rdata_d = fault_sequence_q;
       gloss_pkg::REG_PROGRESS: rdata_d = progress_q;
       gloss_pkg::REG_JOBS: rdata_d = jobs_q;
-      gloss_pkg::REG_CLOCKS_LOW: rdata_d = sums_q.clocks;
-      gloss_pkg::REG_CLOCKS_HIGH: rdata_d = clocks_high_q;
-      gloss_pkg::REG_STALL_STREAM: rdata_d = sums_q.stall_stream;
-      gloss_pkg::REG_STALL_RASTER: rdata_d = sums_q.stall_raster;
-      gloss_pkg::REG_STALL_TILE: rdata_d = sums_q.stall_tile;
-      gloss_pkg::REG_STALL_MEMORY: rdata_d = sums_q.stall_memory;
-      gloss_pkg::REG_STALL_RESPONSE: rdata_d = sums_q.stall_response;
+      gloss_pkg::REG_CLOCKS_LOW: rdata_d = sums.clocks;
+      gloss_pkg::REG_CLOCKS_HIGH: rdata_d = clocks_high;
+      gloss_pkg::REG_STALL_STREAM: rdata_d = sums.stall_stream;
+      gloss_pkg::REG_STALL_RASTER: rdata_d = sums.stall_raster;
+      gloss_pkg::REG_STALL_TILE: rdata_d = sums.stall_tile;
+      gloss_pkg::REG_STALL_MEMORY: rdata_d = sums.stall_memory;
+      gloss_pkg::REG_STALL_RESPONSE: rdata_d = sums.stall_response;
       default: rdata_d = own_i;
     endcase
   end
@@ -123,30 +123,27 @@ module port_registers #(
     end
   end
 
-  assign {clocks_carry, clocks} = {1'b0, sums_q.clocks} + {1'b0, time_i.clocks};
+  if (TimeCounters != 0) begin : gen_clocks
+    port_clocks u_clocks (
+      .clk_i, .core_rst_ni,
+      .done_i, .time_i, .sums_o(sums), .clocks_high_o(clocks_high)
+    );
+  end else begin : gen_no_clocks
+    logic unused;
+    assign unused = ^time_i;
+    assign sums = '0;
+    assign clocks_high = '0;
+  end
 
   always_ff @(posedge clk_i or negedge core_rst_ni) begin
     if (!core_rst_ni) begin
       moved_q <= '0;
       progress_q <= '0;
       jobs_q <= '0;
-      clocks_carry_q <= 1'b0;
-      clocks_high_q <= '0;
-      sums_q <= '0;
     end else begin
       moved_q <= 4'(stream_taken_i) + response_taken_i;
       progress_q <= progress_q + 32'(moved_q);
-      clocks_carry_q <= done_i && clocks_carry;
-      clocks_high_q <= clocks_high_q + 32'(clocks_carry_q);
-      if (done_i) begin
-        jobs_q <= jobs_q + 1'b1;
-        sums_q.clocks <= clocks;
-        sums_q.stall_stream <= sums_q.stall_stream + time_i.stall_stream;
-        sums_q.stall_raster <= sums_q.stall_raster + time_i.stall_raster;
-        sums_q.stall_tile <= sums_q.stall_tile + time_i.stall_tile;
-        sums_q.stall_memory <= sums_q.stall_memory + time_i.stall_memory;
-        sums_q.stall_response <= sums_q.stall_response + time_i.stall_response;
-      end
+      if (done_i) jobs_q <= jobs_q + 1'b1;
     end
   end
 

@@ -17,7 +17,8 @@
 module port_usb #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
-  parameter int unsigned StreamBits = 32
+  parameter int unsigned StreamBits = 32,
+  parameter int unsigned TimeCounters = 1   // 0: none of the registers of clocks and stalls
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
@@ -74,6 +75,10 @@ module port_usb #(
   input  logic                         memory_idle_i
 );
 
+  core_parameters #(
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
+  ) u_parameters ();
+
   localparam int unsigned OutWords = 512;
   localparam int unsigned Events = 4;
 
@@ -108,7 +113,9 @@ module port_usb #(
     .rst_no(core_rst_n)
   );
 
-  port_registers #(.TileSize(TileSize), .PixelsPerClock(PixelsPerClock)) u_registers (
+  port_registers #(
+    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .TimeCounters(TimeCounters)
+  ) u_registers (
     .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
     .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
     .memory_pages_i,

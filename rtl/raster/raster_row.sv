@@ -51,6 +51,10 @@ module raster_row #(
   output logic                      idle_o
 );
 
+  if (Latency < 5) begin : gen_latency
+    $error("Latency must be at least 5");
+  end
+
   // ---- what to do in this clock ----
   logic             busy_q;       // a triangle is under way
   logic             new_q;        // and none of its blocks is out yet

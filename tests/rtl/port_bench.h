@@ -277,7 +277,7 @@ private:
 		progress += job.stream.size() + job.answer.words.size();
 		finished++;
 		for (int n = 0; n < 6; n++)
-			time[n] += job.answer.time[n];
+			time[n] += TIME_COUNTERS * job.answer.time[n];
 	}
 
 	void set64(uint64_t at, uint64_t value)

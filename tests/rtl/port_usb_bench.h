@@ -391,7 +391,7 @@ private:
 		progress += job.stream.size() + job.answer.words.size();
 		finished++;
 		for (int n = 0; n < 6; n++)
-			time[n] += job.answer.time[n];
+			time[n] += TIME_COUNTERS * job.answer.time[n];
 		core.seen.pop_front();
 		jobs.pop_front();
 	}
