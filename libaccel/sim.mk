@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 # The Verilated core as plugins of "sim:", by tile size and lanes; each has the stream port
-# that its lanes need. SIM_CORES are those that `make all` builds and `make install` installs.
+# that its lanes need, or the one in a third part of its name (t64-k8-s32). SIM_CORES are those
+# that `make all` builds and `make install` installs.
 SIM_CORES ?= t64-k8
 SIM_CORES_ALL := t64-k1 t64-k2 t64-k4 t64-k8 t32-k1 t32-k2 t32-k4 t32-k8
 SIM_STREAM_BITS := 1:32 2:64 4:64 8:128
 SIM_DIR ?= $(BUILD)/sim
 
-sim_tile = $(patsubst t%,%,$(firstword $(subst -k, ,$(1))))
-sim_lanes = $(lastword $(subst -k, ,$(1)))
-sim_stream = $(patsubst $(sim_lanes):%,%,$(filter $(sim_lanes):%,$(SIM_STREAM_BITS)))
+sim_tile = $(patsubst t%,%,$(word 1,$(subst -, ,$(1))))
+sim_lanes = $(patsubst k%,%,$(word 2,$(subst -, ,$(1))))
+sim_stream = $(or $(patsubst s%,%,$(word 3,$(subst -, ,$(1)))),$(patsubst \
+	$(sim_lanes):%,%,$(filter $(sim_lanes):%,$(SIM_STREAM_BITS))))
 
 SIM_WRAPPER := $(addprefix libaccel/, sim_wrapper.cpp sim_memory.h sim_port.h sim.h sim.map job.h \
 	gloss_packets.h)

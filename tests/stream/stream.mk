@@ -13,24 +13,29 @@ $(BUILD)/tests/stream/test_stream: $(STREAM_SOURCES) tests/stream/stream_random.
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Itools -Itests/stream $(STREAM_SOURCES) $(MODEL_OBJS) \
 		-ldl -o $@
 
-# Two targets of about the same time, for two processors.
+# Two targets of about the same time, for two processors; one more, and shorter, for stream ports that
+# are narrow and wide for their lanes.
 STREAM_FIRST := t64-k1 t64-k4 t64-k8
 STREAM_SECOND := t64-k2 t32-k1 t32-k2 t32-k4 t32-k8
+
+STREAM_PORTS := t64-k8-s32 t32-k1-s128
+STREAM_PORT_GROUPS ?= 100
 
 define stream_run
 stream-$(1): $(BUILD)/tests/stream/test_stream $(2:%=$(BUILD)/sim/accel-sim-%.so)
 	$(Q)for core in $(2); do \
-		$$< -n $(STREAM_GROUPS) -o $(BUILD)/tests/stream/failed-$$$$core.bin \
+		$$< -n $(3) -o $(BUILD)/tests/stream/failed-$$$$core.bin \
 			$(BUILD)/sim/accel-sim-$$$$core.so || exit 1; \
 	done
 endef
-$(eval $(call stream_run,first,$(STREAM_FIRST)))
-$(eval $(call stream_run,second,$(STREAM_SECOND)))
+$(eval $(call stream_run,first,$(STREAM_FIRST),$$(STREAM_GROUPS)))
+$(eval $(call stream_run,second,$(STREAM_SECOND),$$(STREAM_GROUPS)))
+$(eval $(call stream_run,ports,$(STREAM_PORTS),$$(STREAM_PORT_GROUPS)))
 
-.PHONY: stream stream-first stream-second
-stream: stream-first stream-second ## random jobs, valid and damaged: model against RTL, byte for byte
+.PHONY: stream stream-first stream-second stream-ports
+stream: stream-first stream-second stream-ports ## random jobs, valid and damaged: model against RTL, byte for byte
 
-CHECKS += stream-first stream-second
+CHECKS += stream-first stream-second stream-ports
 
 # A second generator, from the table of rtl/gloss.xml; and the same jobs to boards on USB.
 # make check has what reaches every packet, opcode and reserved bit on a core, and some of it on a board.
