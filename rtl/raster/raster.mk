@@ -67,6 +67,10 @@ rtl-raster-all: $(RASTER_ALL_BENCHES) ## the same for every core that is built, 
 
 CHECKS += rtl-raster rtl-raster-read
 
-.PHONY: synth
-synth: ## size and clock on three FPGA families (a few minutes); build/synth.json
+.PHONY: synth synth-stage
+synth: ## size and clock on three FPGA families (half an hour of processor time); build/synth.json
 	$(Q)tests/synth/synth.py $(BUILD) $(JOBS)
+
+STAGE ?= command
+synth-stage: ## clock of one stage: STAGE=command, raster_shade, fragment, tile, memory, port_pci, port_usb
+	$(Q)tests/synth/synth.py $(BUILD) $(JOBS) $(STAGE)
