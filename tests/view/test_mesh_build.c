@@ -122,10 +122,10 @@ static void only_normals_without_length_are_made(void **state)
 	build(&raw, &(struct mesh_options){ .crease = 180 }, &mesh);
 	assert_int_equal(mesh.vertices, raw.vertices);
 	for (uint32_t i = 0; i < mesh.triangles * 3; i++) {
-		const float *n = mesh.normal[mesh.triangle[0][i]];
+		const float *n = mesh.normal[mesh.triangle[i / 3][i % 3]];
 
-		if (raw.triangle[0][i] != 7) {
-			assert_true(dot(n, raw.normal[raw.triangle[0][i]]) > 0.999999);
+		if (raw.triangle[i / 3][i % 3] != 7) {
+			assert_true(dot(n, raw.normal[raw.triangle[i / 3][i % 3]]) > 0.999999);
 			continue;
 		}
 		made++;
@@ -166,18 +166,18 @@ static void equal_vertices_are_joined_and_near_ones_are_not(void **state)
 		assert_int_equal(mesh_sphere(2, &sphere), 0);
 		assert_int_equal(mesh_new(sphere.triangles * 3, sphere.triangles, &raw), 0);
 		for (uint32_t i = 0; i < raw.vertices; i++) {
-			raw.triangle[0][i] = i;
+			raw.triangle[i / 3][i % 3] = i;
 			for (int axis = 0; axis < 3; axis++)
 				raw.position[i][axis] =
-					ldexpf(sphere.position[sphere.triangle[0][i]][axis],
+					ldexpf(sphere.position[sphere.triangle[i / 3][i % 3]][axis],
 					       exponent);
 		}
 		build(&raw, &smooth, &mesh);
 		assert_int_equal(mesh.vertices, sphere.vertices);
 		assert_closed(&mesh);
 		for (uint32_t i = 0; i < mesh.vertices * 3; i++)
-			assert_true(fabsf(mesh.normal[0][i] -
-					  ldexpf(mesh.position[0][i], -exponent)) < 0.01f);
+			assert_true(fabsf(mesh.normal[i / 3][i % 3] -
+					  ldexpf(mesh.position[i / 3][i % 3], -exponent)) < 0.01f);
 		mesh_free(&sphere);
 		mesh_free(&raw);
 		mesh_free(&mesh);
@@ -213,13 +213,13 @@ static void rescaling_is_exact(void **state)
 	assert_int_equal(mesh_sphere(1, &mesh), 0);
 	assert_int_equal(mesh_sphere(1, &before), 0);
 	for (uint32_t i = 0; i < mesh.vertices * 3; i++)
-		mesh.position[0][i] *= 0x1p-90f;
+		mesh.position[i / 3][i % 3] *= 0x1p-90f;
 	mesh_bounds(&mesh, centre, &radius);
 	mesh_rescale(&mesh, centre, &radius);
 	assert_true(radius >= 0.5f && radius < 1);
 	for (uint32_t i = 0; i < mesh.vertices * 3; i++)
-		assert_true(mesh.position[0][i] == before.position[0][i] / 2 ||
-			    mesh.position[0][i] == before.position[0][i]);
+		assert_true(mesh.position[i / 3][i % 3] == before.position[i / 3][i % 3] / 2 ||
+			    mesh.position[i / 3][i % 3] == before.position[i / 3][i % 3]);
 	mesh_free(&mesh);
 	mesh_free(&before);
 }
