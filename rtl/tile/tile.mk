@@ -25,7 +25,7 @@ $(call tile_bench,memory,$(1),$(2),rtl/lib/ram_1r1w.sv)
 endef
 $(foreach core,$(TILE_ALL_CORES),$(eval $(call tile_benches,$(firstword $(subst -, ,$(core))),$(lastword $(subst -, ,$(core))))))
 
-.PHONY: rtl-fragment rtl-tile rtl-memory rtl-tile-all
+.PHONY: rtl-fragment rtl-tile rtl-memory rtl-tile-all formal
 rtl-fragment: $(TILE_CORES:%=$(BUILD)/rtl/fragment-%/bench) ## depth test, masks and counters against the model
 	$(Q)for bench in $^; do $$bench || exit 1; done
 
@@ -38,4 +38,8 @@ rtl-memory: $(TILE_CORES:%=$(BUILD)/rtl/memory-%/bench) ## copies of all alignme
 rtl-tile-all: $(foreach stage,fragment tile memory,$(TILE_ALL_CORES:%=$(BUILD)/rtl/$(stage)-%/bench)) ## the three for every core that is built, and longer
 	$(Q)for bench in $^; do $$bench 400 || exit 1; done
 
-CHECKS += rtl-fragment rtl-tile rtl-memory
+formal: ## proofs: memory_burst, for all ranges
+	$(Q)tests/formal/prove $(BUILD) 20 formal_memory_burst tests/formal/formal_memory_burst.sv \
+		rtl/memory/memory_burst.sv
+
+CHECKS += rtl-fragment rtl-tile rtl-memory formal
