@@ -224,32 +224,39 @@ static void who_is_killed_may_have_wanted_memory(void **state)
 	assert_int_equal(run(load_killed, &mesh, message), -ENOMEM);
 }
 
-static void count_waits(void *data)
+/* Tells the child that it has waited. */
+static void tell(void *data)
 {
-	++*(int *)data;
+	const int *pipe = data;
+
+	assert_int_equal(write(pipe[1], "", 1), 1);
 }
 
-static int load_slowly(const char *path, const struct mesh_options *given, struct mesh *mesh,
+/* Until the one who waits has told so. */
+static int load_when_told(const char *path, const struct mesh_options *given, struct mesh *mesh,
 		       char message[MESH_MESSAGE])
 {
+	const int *pipe = given->data;
+	char byte;
+
 	(void)path;
-	(void)given;
 	(void)message;
-	usleep(450000);
-	return mesh_cube(mesh);
+	return read(pipe[0], &byte, 1) == 1 ? mesh_cube(mesh) : -EIO;
 }
 
 static void who_waits_is_told(void **state)
 {
-	int waits = 0;
-	const struct mesh_options told = { .waiting = count_waits, .data = &waits };
+	int ends[2];
+	const struct mesh_options told = { .waiting = tell, .data = ends };
 	char message[MESH_MESSAGE];
 	struct mesh mesh;
 
 	(void)state;
-	assert_int_equal(child_run(load_slowly, "m", &told, &limits, &mesh, message), 0);
-	assert_true(waits > 0);
+	assert_int_equal(pipe(ends), 0);
+	assert_int_equal(child_run(load_when_told, "m", &told, &limits, &mesh, message), 0);
 	mesh_free(&mesh);
+	close(ends[0]);
+	close(ends[1]);
 }
 
 /* Who waits for the reader is killed: the reader goes too, and orphans come to this process. */
