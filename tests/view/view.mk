@@ -12,7 +12,8 @@ view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 
 # A test of the viewer's insides includes the file it is about.
 VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_shape test_phong \
-	test_phong_cover test_picture test_view_camera test_view_draw test_view_window
+	test_phong_cover test_picture test_view_camera test_view_draw \
+	test_view_progress test_view_window
 
 $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(SCENE_OBJS) \
 		$(BUILD)/libaccel.a
@@ -26,7 +27,7 @@ define viewer_test
 $(BUILD)/tests/view/test_view_$(1): $$(VIEW_OBJS)
 $(BUILD)/tests/view/test_view_$(1): view_objs = $$(filter-out %-$(1).o,$$(VIEW_OBJS))
 endef
-$(foreach part,draw window,$(eval $(call viewer_test,$(part))))
+$(foreach part,draw progress window,$(eval $(call viewer_test,$(part))))
 
 $(VIEW_TESTS:%=run-%): run-%: $(BUILD)/tests/view/%
 	$(call quiet,TEST,$*)
