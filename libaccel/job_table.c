@@ -22,7 +22,7 @@ void accel_job_table_fini(struct accel_job_table *table, void (*drop)(struct acc
 		}
 	}
 	if (table->bucket != table->first)
-		free(table->bucket);
+		free((void *)table->bucket);
 }
 
 static struct accel_job_entry **table_bucket(const struct accel_job_table *table,
@@ -43,9 +43,10 @@ static void table_link(struct accel_job_table *table, struct accel_job_entry *en
 static void table_grow(struct accel_job_table *table)
 {
 	struct accel_job_table old = *table;
-	struct accel_job_entry **bucket = calloc(2 * old.buckets, sizeof(void *));
+	struct accel_job_entry **bucket;
 	size_t i;
 
+	bucket = (struct accel_job_entry **)calloc(2 * old.buckets, sizeof(void *));
 	if (!bucket)
 		return;
 	table->bucket = bucket;
@@ -59,7 +60,7 @@ static void table_grow(struct accel_job_table *table)
 		}
 	}
 	if (old.bucket != table->first)
-		free(old.bucket);
+		free((void *)old.bucket);
 }
 
 void accel_job_table_put(struct accel_job_table *table, struct accel_job_entry *entry,

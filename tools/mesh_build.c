@@ -160,10 +160,10 @@ static void join_over_edges(struct build *build, uint32_t ends)
 	for (uint32_t i = 1; i < ends; i++) {
 		uint32_t least = i > SHARING ? i - SHARING : 0;
 
-		for (uint32_t j = i; j-- > least && end[j].place == end[i].place;)
-			if (dot(face_of(build, end[i].corner), face_of(build, end[j].corner)) >=
+		for (uint32_t j = i; j > least && end[j - 1].place == end[i].place; j--)
+			if (dot(face_of(build, end[i].corner), face_of(build, end[j - 1].corner)) >=
 			    build->crease)
-				join(build, end[i].corner, end[j].corner);
+				join(build, end[i].corner, end[j - 1].corner);
 	}
 }
 
@@ -247,11 +247,11 @@ static int add_vertex(struct build *build, uint32_t raw, const float normal[3], 
 	const float *colour = build->raw->colour ? build->raw->colour[raw] : NULL;
 	struct mesh *mesh = build->mesh;
 
-	for (uint32_t i = mesh->vertices; i-- > first && mesh->vertices - i <= COMPARED;) {
-		if (!equal(mesh->normal[i], normal, 3) ||
-		    (colour && !equal(mesh->colour[i], colour, 4)))
+	for (uint32_t i = mesh->vertices; i > first && mesh->vertices - i < COMPARED; i--) {
+		if (!equal(mesh->normal[i - 1], normal, 3) ||
+		    (colour && !equal(mesh->colour[i - 1], colour, 4)))
 			continue;
-		*number = i;
+		*number = i - 1;
 		return 0;
 	}
 	if (mesh->vertices == build->room && grow(build))
