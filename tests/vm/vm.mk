@@ -45,6 +45,13 @@ $(BUILD)/tests/vm/runner: $(VM_RUNNER_SOURCES) tests/vm/runner/runner.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $(VM_RUNNER_SOURCES) -o $@
 
+# For QEMU, see there.
+$(BUILD)/tests/vm/no_kvm.so: tests/vm/no_kvm.c
+	$(call quiet,CC,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) -std=gnu11 $(WARN) $(CFLAGS) -fPIC -shared $< -ldl -o $@
+VM_NEEDS += $(BUILD)/tests/vm/no_kvm.so
+
 $(BUILD)/tests/vm/list: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' $(VM_TESTS) $(VM_BENCHES) | cmp -s - $@ || \
