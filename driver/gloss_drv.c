@@ -129,6 +129,8 @@ static int gloss_pci_enable(struct gloss_device *gdev)
 	if (ret)
 		return ret;
 	pci_set_master(pdev);
+	/* For gloss_pci_slot_reset(). */
+	pci_save_state(pdev);
 	return 0;
 }
 
@@ -206,6 +208,63 @@ static int gloss_pm_resume(struct device *dev)
 
 static DEFINE_SIMPLE_DEV_PM_OPS(gloss_pm_ops, gloss_pm_suspend, gloss_pm_resume);
 
+/* A function reset is to the board as a loss of power. */
+static void gloss_pci_reset_prepare(struct pci_dev *pdev)
+{
+	gloss_sched_suspend(pci_get_drvdata(pdev));
+}
+
+static void gloss_pci_reset_done(struct pci_dev *pdev)
+{
+	gloss_sched_resume(pci_get_drvdata(pdev));
+}
+
+static pci_ers_result_t gloss_pci_error_detected(struct pci_dev *pdev, pci_channel_state_t state)
+{
+	struct gloss_device *gdev = pci_get_drvdata(pdev);
+
+	if (state == pci_channel_io_normal)
+		return PCI_ERS_RESULT_CAN_RECOVER;
+	if (state == pci_channel_io_perm_failure) {
+		gloss_device_set_gone(gdev, "its bus has failed");
+		return PCI_ERS_RESULT_DISCONNECT;
+	}
+	/* Reads all ones now, so nothing is waited for. */
+	gloss_sched_suspend(gdev);
+	return PCI_ERS_RESULT_NEED_RESET;
+}
+
+static pci_ers_result_t gloss_pci_slot_reset(struct pci_dev *pdev)
+{
+	struct gloss_device *gdev = pci_get_drvdata(pdev);
+
+	pci_restore_state(pdev);
+	pci_save_state(pdev);
+	if (!gloss_device_identify(gdev))
+		return PCI_ERS_RESULT_RECOVERED;
+
+	gloss_device_set_gone(gdev, "it did not come back from an error of its bus");
+	gloss_sched_resume(gdev);
+	return PCI_ERS_RESULT_DISCONNECT;
+}
+
+static void gloss_pci_error_resume(struct pci_dev *pdev)
+{
+	struct gloss_device *gdev = pci_get_drvdata(pdev);
+
+	/* Not after an error that did not stop the bus. */
+	if (gdev->ring.asleep)
+		gloss_sched_resume(gdev);
+}
+
+static const struct pci_error_handlers gloss_pci_error_handlers = {
+	.error_detected = gloss_pci_error_detected,
+	.slot_reset = gloss_pci_slot_reset,
+	.resume = gloss_pci_error_resume,
+	.reset_prepare = gloss_pci_reset_prepare,
+	.reset_done = gloss_pci_reset_done,
+};
+
 static const struct pci_device_id gloss_pci_ids[] = {
 	{ PCI_DEVICE_SUB(PCI_VENDOR_ID_XILINX, GLOSS_PCI_DEVICE,
 			 PCI_VENDOR_ID_XILINX, GLOSS_PCI_SUBDEVICE) },
@@ -219,6 +278,7 @@ static struct pci_driver gloss_pci_driver = {
 	.probe = gloss_pci_probe,
 	.remove = gloss_pci_remove,
 	.shutdown = gloss_pci_shutdown,
+	.err_handler = &gloss_pci_error_handlers,
 	.driver.pm = pm_sleep_ptr(&gloss_pm_ops),
 };
 

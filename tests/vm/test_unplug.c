@@ -327,6 +327,38 @@ static void sleep_and_wake(bool without_power)
 	assert_int_equal(board_unload("gloss_sleep"), 0);
 }
 
+static void reset_with_jobs_queued(const char *how)
+{
+	uint64_t lost;
+	char parameters[64];
+
+	snprintf(parameters, sizeof(parameters), "device=%.32s error=%s", strrchr(pci, '/') + 1,
+		 how);
+	arm(VBOARD_FAULT_SLOW, 10000);
+	queue_all(&client);
+	assert_int_equal(board_load("gloss_reset", parameters), 0);
+	/* What stops it: nothing of the board's may be asked for meanwhile. */
+	queue_all(&other);
+	assert_int_equal(board_unload("gloss_reset"), 0);
+	all_end_well(&client);
+	all_end_well(&other);
+	assert_true(client_works(&client));
+	assert_int_equal(node_param(client.fd, DRM_GLOSS_PARAM_JOBS_LOST, &lost), 0);
+	assert_int_not_equal(lost, 0);
+}
+
+static void a_reset_of_the_function_loses_no_job(void **state)
+{
+	(void)state;
+	reset_with_jobs_queued("0");
+}
+
+static void an_error_of_the_bus_loses_no_job(void **state)
+{
+	(void)state;
+	reset_with_jobs_queued("1");
+}
+
 static void a_board_sleeps_with_jobs_queued(void **state)
 {
 	(void)state;
@@ -459,6 +491,8 @@ int main(void)
 		unplug_test(the_module_stays_while_files_are_open),
 		unplug_test(jobs_end_without_msi),
 		unplug_test(a_board_sleeps_with_jobs_queued),
+		unplug_test(a_reset_of_the_function_loses_no_job),
+		unplug_test(an_error_of_the_bus_loses_no_job),
 		unplug_test(a_board_without_power_meanwhile_wakes_up),
 		unplug_test(a_driver_is_taken_off_and_put_back),
 		unplug_test(a_board_is_removed_under_its_jobs),
