@@ -20,6 +20,7 @@ extern "C" {
 #define DRM_GLOSS_GEM_CREATE		0x01
 #define DRM_GLOSS_GEM_MMAP_OFFSET	0x02
 #define DRM_GLOSS_SUBMIT		0x03
+#define DRM_GLOSS_GET_CLOCKS		0x04
 
 #define DRM_IOCTL_GLOSS_GET_PARAM \
 	DRM_IOWR(DRM_COMMAND_BASE + DRM_GLOSS_GET_PARAM, struct drm_gloss_get_param)
@@ -29,6 +30,8 @@ extern "C" {
 	DRM_IOWR(DRM_COMMAND_BASE + DRM_GLOSS_GEM_MMAP_OFFSET, struct drm_gloss_gem_mmap_offset)
 #define DRM_IOCTL_GLOSS_SUBMIT \
 	DRM_IOW(DRM_COMMAND_BASE + DRM_GLOSS_SUBMIT, struct drm_gloss_submit)
+#define DRM_IOCTL_GLOSS_GET_CLOCKS \
+	DRM_IOR(DRM_COMMAND_BASE + DRM_GLOSS_GET_CLOCKS, struct drm_gloss_get_clocks)
 
 /**
  * enum drm_gloss_param - what GET_PARAM can tell
@@ -264,6 +267,28 @@ struct drm_gloss_submit {
 	__u32 slot_stride;
 	/** @sync_stride: sizeof(struct drm_gloss_sync); 0 if both counts are */
 	__u32 sync_stride;
+};
+
+/**
+ * struct drm_gloss_get_clocks - where the board's clocks went
+ *
+ * Of the jobs of this open file that have ended, but for those that ended with jobs of others
+ * before the driver looked, and those before a reset that it had not looked at.
+ * -EOPNOTSUPP: the board has no clock, as a model of one; -ENODEV: the board is gone.
+ */
+struct drm_gloss_get_clocks {
+	/** @clocks: out, in which the core had a job */
+	__u64 clocks;
+	/** @stall_stream: out, of these, in which the core waited for stream words */
+	__u64 stall_stream;
+	/** @stall_raster: out, in which a complete triangle waited for raster */
+	__u64 stall_raster;
+	/** @stall_tile: out, in which triangles waited for a tile buffer */
+	__u64 stall_tile;
+	/** @stall_memory: out, in which the core waited for board memory */
+	__u64 stall_memory;
+	/** @stall_response: out, in which response words waited to be taken */
+	__u64 stall_response;
 };
 
 #if defined(__cplusplus)

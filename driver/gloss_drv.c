@@ -77,6 +77,7 @@ static const struct drm_ioctl_desc gloss_ioctls[] = {
 	DRM_IOCTL_DEF_DRV(GLOSS_GEM_CREATE, gloss_gem_create_ioctl, DRM_RENDER_ALLOW),
 	DRM_IOCTL_DEF_DRV(GLOSS_GEM_MMAP_OFFSET, gloss_gem_mmap_offset_ioctl, DRM_RENDER_ALLOW),
 	DRM_IOCTL_DEF_DRV(GLOSS_SUBMIT, gloss_submit_ioctl, DRM_RENDER_ALLOW),
+	DRM_IOCTL_DEF_DRV(GLOSS_GET_CLOCKS, gloss_clocks_ioctl, DRM_RENDER_ALLOW),
 };
 
 static const struct file_operations gloss_fops = {

@@ -14,6 +14,7 @@
  *   gloss_turn    which job is next
  *   gloss_ring    jobs the board has
  *   gloss_irq     what it says of them; gloss_coredump, what is kept of a lost one
+ *   gloss_clocks  what the board counts, for whom
  *   gloss_fence   fences of jobs
  *
  * Locks, outer ones first: gloss_clear.queue_lock, a reservation (dma_resv),
@@ -84,6 +85,24 @@ struct gloss_ring_fault {
 	ktime_t time;
 };
 
+/* STALL_STREAM to STALL_RESPONSE. */
+#define GLOSS_STALLS	5
+
+/* The board's counters, as they were read. */
+struct gloss_clocks_seen {
+	u64 clocks;
+	u32 stall[GLOSS_STALLS];
+};
+
+/* What the board counted since they were read last, for whom. */
+struct gloss_clocks {
+	struct gloss_clocks_seen seen;
+	bool ended;			/* jobs have, since then */
+	struct gloss_file *file;	/* theirs, a reference; NULL: the driver's own */
+	bool mixed;			/* they were of several files */
+	s64 ns;				/* how long they took */
+};
+
 /* Jobs that the board has and has not ended, from head to tail. */
 struct gloss_ring {
 	struct gloss_ring_shared *shared;
@@ -108,6 +127,7 @@ struct gloss_ring {
 	u64 jobs, faults;		/* ended; of these with a cause */
 	u64 busy_ns;
 	struct gloss_ring_fault fault;
+	struct gloss_clocks clocks;
 
 	spinlock_t fence_lock;		/* of the fences of all jobs */
 	u64 fence_context;
@@ -235,6 +255,7 @@ struct gloss_file {
 	atomic_t jobs_lost;		/* DRM_GLOSS_PARAM_JOBS_LOST */
 	atomic64_t engine_ns;		/* time the board worked for this file */
 	atomic64_t jobs;		/* ended */
+	u64 clocks, stall[GLOSS_STALLS];	/* of its jobs; under gloss_ring.lock */
 	u64 held[GLOSS_SHARES];		/* under the lock of the gloss_share */
 	atomic_t jobs_queued;		/* that exist */
 	struct mutex lock;		/* keeps the jobs of an entity in order */
@@ -524,6 +545,13 @@ static inline u64 gloss_file_client(const struct gloss_file *file)
 {
 	return file ? file->entity[0].fence_context : 0;
 }
+
+/* gloss_clocks.c */
+void gloss_clocks_ended(struct gloss_ring *ring, const struct gloss_job *job, s64 ns);
+void gloss_clocks_next(struct gloss_ring *ring, const struct gloss_job *job);
+void gloss_clocks_reset(struct gloss_ring *ring);
+int gloss_clocks_get(struct gloss_file *file, struct drm_gloss_get_clocks *to);
+int gloss_clocks_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
 
 /* gloss_coredump.c */
 #define GLOSS_COREDUMP_REGS	21

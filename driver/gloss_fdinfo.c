@@ -63,9 +63,14 @@ static void gloss_fdinfo_show_region(struct seq_file *m, const char *name,
 /* The board is one engine. Of the job it has at the moment the time until now counts. */
 static void gloss_fdinfo_show_engine(struct seq_file *m, struct gloss_file *gfile)
 {
+	struct drm_gloss_get_clocks clocks;
+
 	seq_printf(m, "drm-engine-render:\t%llu ns\n",
 		   gloss_ring_engine_ns(&gfile->gdev->ring, gfile));
 	seq_puts(m, "drm-engine-capacity-render:\t1\n");
+	/* Without drm-maxfreq: the board knows no rate of its clock. */
+	if (!gloss_clocks_get(gfile, &clocks))
+		seq_printf(m, "drm-cycles-render:\t%llu\n", clocks.clocks);
 }
 
 void gloss_fdinfo_show(struct seq_file *m, struct file *filp)

@@ -4,6 +4,7 @@
  * board would write is written by the test.
  */
 #include "gloss_ring.c"
+#include "gloss_clocks.c"
 #include "gloss_kunit.h"
 
 struct ring_job {

@@ -110,6 +110,8 @@ void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job)
 	spin_lock_irqsave(&ring->lock, flags);
 	added = !gloss_device_gone(gdev);
 	if (added) {
+		if (list_empty(&ring->list))
+			gloss_clocks_next(ring, job);
 		list_add_tail(&job->ring_node, &ring->list);
 		gloss_ring_add(ring, job);
 	} else {
@@ -174,6 +176,7 @@ static void gloss_ring_account(struct gloss_ring *ring, const struct gloss_job *
 	ring->busy_ns += ns;
 	if (job->file)
 		atomic64_add(ns, &job->file->engine_ns);
+	gloss_clocks_ended(ring, job, ns);
 }
 
 /* How long the board has worked for @file, up to now. */
@@ -229,6 +232,7 @@ unsigned int gloss_ring_reap(struct gloss_ring *ring)
 		gloss_ring_end(ring, job, &status);
 		ended++;
 	}
+	gloss_clocks_next(ring, job);
 	spin_unlock_irqrestore(&ring->lock, flags);
 	return ended;
 }
@@ -338,6 +342,7 @@ void gloss_ring_rewind(struct gloss_ring *ring)
 	job = gloss_ring_first(ring);
 	if (job)
 		gloss_ring_account(ring, job);
+	gloss_clocks_reset(ring);
 	ring->head = 0;
 	ring->tail = 0;
 	ring->seen_head = 0;

@@ -424,6 +424,26 @@ static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns
 	return err;
 }
 
+/* The kernel counts of this file's jobs alone, from its opening on. */
+static int transport_drm_clocks(void *state, struct accel_device_clocks *clocks)
+{
+	const struct transport_drm *transport = state;
+	struct drm_gloss_get_clocks get = { .clocks = 0 };
+	int err = accel_drm_node_ioctl(transport->fd, DRM_IOCTL_GLOSS_GET_CLOCKS, &get);
+
+	if (err)
+		return err == -ENODEV ? -ENODEV : -ENOTSUP;
+	*clocks = (struct accel_device_clocks){
+		.clocks = get.clocks,
+		.stall_stream = get.stall_stream,
+		.stall_raster = get.stall_raster,
+		.stall_tile = get.stall_tile,
+		.stall_memory = get.stall_memory,
+		.stall_response = get.stall_response,
+	};
+	return 0;
+}
+
 const struct accel_transport_ops accel_transport_drm = {
 	.scheme = "drm",
 	.open = transport_drm_open,
@@ -434,4 +454,5 @@ const struct accel_transport_ops accel_transport_drm = {
 	.memory_free = transport_drm_memory_free,
 	.submit = transport_drm_submit,
 	.wait = transport_drm_wait,
+	.clocks = transport_drm_clocks,
 };

@@ -5,11 +5,11 @@
 VM_TESTS += user:test_ioctl user:test_submit user:test_isolation:600 root:test_storm:600 \
 	root:test_inspect root:test_fault:600 root:test_unplug:600 \
 	root:test_failslab:600 user:test_fuzz_ioctl user:test_memory:600 root:test_swap root:test_fences \
-	root:test_coredump
+	root:test_coredump user:test_clocks
 VM_BENCHES += root:test_latency
 
 DRIVER_TESTS := $(addprefix $(BUILD)/tests/vm/test_, ioctl submit isolation storm latency inspect \
-	fault unplug failslab fuzz_ioctl memory swap fences coredump)
+	fault unplug failslab fuzz_ioctl memory swap fences coredump clocks)
 $(DRIVER_TESTS): $(BUILD)/tests/vm/gloss_node.o
 
 $(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug swap): \
