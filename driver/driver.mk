@@ -65,7 +65,7 @@ $(KERNEL_SCRIPTS)/checkpatch.pl:
 		'*/scripts/const_structs.checkpatch' '*/scripts/kernel-doc'
 	@touch $@
 
-.PHONY: lint-checkpatch lint-sparse lint-uapi
+.PHONY: lint-checkpatch lint-sparse lint-uapi lint-rst
 # BIT() is the kernel's own, programs that include the uapi header do not have it; and the
 # form of trace events is not that of C.
 lint-checkpatch: $(KERNEL_SCRIPTS)/checkpatch.pl ## the kernel's checkpatch on the driver
@@ -102,4 +102,14 @@ lint-uapi: $(KERNEL_SCRIPTS)/checkpatch.pl ## gloss_drm.h alone: C, C++, 32-bit 
 	$(Q)driver/same-layout $(BUILD)/check/layout-x86_64.txt $(BUILD)/check/layout-i386.txt
 	$(Q)perl $(KERNEL_SCRIPTS)/kernel-doc -none -Werror driver/gloss_drm.h
 
-LINTS += lint-checkpatch lint-sparse lint-uapi
+# The texts that the page takes out of the sources are there.
+lint-rst: ## each DOC section that driver/gloss.rst names
+	$(call quiet,LINT,gloss.rst)
+	$(Q)awk '/kernel-doc:: drivers/ { file = $$3; sub(/.*\//, "driver/", file) } \
+		sub(/^ *:doc: */, "") { print file "\t" $$0 }' driver/gloss.rst | \
+	while IFS="$$(printf '\t')" read -r file name; do \
+		grep -qxF " * DOC: $$name" $$file || \
+			{ echo "gloss.rst: no section '$$name' in $$file" >&2; exit 1; }; \
+	done
+
+LINTS += lint-checkpatch lint-sparse lint-uapi lint-rst
