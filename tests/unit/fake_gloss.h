@@ -27,7 +27,7 @@ struct fake_node {
 /* What a test may set at any time, and what it may look at. */
 struct fake_gloss {
 	struct fake_node node[FAKE_NODES];
-	bool module_loaded;
+	bool module_loaded, has_clock;
 	uint32_t version, tile_size;
 
 	/* The @fail_at-th ioctl from now on, of number @fail_request if that is not 0, ends with

@@ -503,6 +503,25 @@ static void a_picture_is_that_of_the_model(void **state)
 	assert_int_not_equal(pixel[32 * 64 + 32], 0);
 }
 
+static void clocks_are_what_the_kernel_tells(void **state)
+{
+	const struct accel_device_clocks told = { 1ull << 40, 2, 3, 4, 5, 6 };
+	struct accel_device_clocks clocks;
+	struct accel_device *device;
+	struct messages messages;
+
+	(void)state;
+	device = device_open("drm:", &messages);
+	assert_int_equal(accel_device_clocks(device, &clocks), -ENOTSUP);
+	fake_gloss.has_clock = true;
+	assert_int_equal(accel_device_clocks(device, &clocks), 0);
+	assert_memory_equal(&clocks, &told, sizeof(clocks));
+	fake_gloss.fail_at = 1;
+	fake_gloss.fail_errno = ENODEV;
+	assert_int_equal(accel_device_clocks(device, &clocks), -ENODEV);
+	accel_device_free(device);
+}
+
 #define drm_test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void)
@@ -529,6 +548,7 @@ int main(void)
 		drm_test(the_memory_of_a_job_whose_wait_failed_is_not_used_again),
 		drm_test(threads_share_a_device),
 		drm_test(a_picture_is_that_of_the_model),
+		drm_test(clocks_are_what_the_kernel_tells),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
