@@ -38,6 +38,13 @@
 #define GLOSS_COMPAT_DATE
 #endif
 
+/* The name of a namespace, which later kernels want as a string. */
+#ifdef GLOSS_HAVE_IMPORT_NS_NAME
+#define GLOSS_COMPAT_IMPORT_NS(name)	MODULE_IMPORT_NS(name)
+#else
+#define GLOSS_COMPAT_IMPORT_NS(name)	MODULE_IMPORT_NS(#name)
+#endif
+
 #ifdef GLOSS_HAVE_SCHED_PRIORITY_LOW
 #define GLOSS_SCHED_PRIORITY_LOW	DRM_SCHED_PRIORITY_LOW
 #else
@@ -134,6 +141,15 @@ static inline int gloss_compat_mmap(struct file *file, struct vm_area_struct *vm
 	return call_mmap(file, vma);
 #else
 	return vfs_mmap(file, vma);
+#endif
+}
+
+static inline bool gloss_compat_is_cow_mapping(const struct vm_area_struct *vma)
+{
+#ifdef GLOSS_HAVE_VMA_IS_COW_MAPPING
+	return vma_is_cow_mapping(vma);
+#else
+	return is_cow_mapping(vma->vm_flags);
 #endif
 }
 

@@ -299,4 +299,4 @@ module_exit(gloss_exit);
 
 MODULE_DESCRIPTION("Gloss 3D accelerator on PCI");
 MODULE_LICENSE("GPL");
-MODULE_IMPORT_NS(DMA_BUF);
+GLOSS_COMPAT_IMPORT_NS(DMA_BUF);

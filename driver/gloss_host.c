@@ -388,7 +388,7 @@ static int gloss_host_mmap(struct drm_gem_object *object, struct vm_area_struct 
 
 	if (gloss_host_imported(to_gloss_host(object)))
 		return drm_gem_shmem_object_mmap(object, vma);
-	if (is_cow_mapping(vma->vm_flags))
+	if (gloss_compat_is_cow_mapping(vma))
 		return -EINVAL;
 
 	/* Of the object's own file, without the object's place in the node. */

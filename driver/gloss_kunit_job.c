@@ -50,4 +50,4 @@ void gloss_job_free(struct gloss_job *job)
 
 MODULE_DESCRIPTION("KUnit tests of the gloss driver");
 MODULE_LICENSE("GPL");
-MODULE_IMPORT_NS(DMA_BUF);
+GLOSS_COMPAT_IMPORT_NS(DMA_BUF);

@@ -317,7 +317,7 @@ static int gloss_sched_init_queues(struct gloss_device *gdev)
 	if (!gdev->watch_wq)
 		return -ENOMEM;
 
-	gdev->free_wq = alloc_workqueue("gloss_free", 0, 0);
+	gdev->free_wq = alloc_workqueue("gloss_free", WQ_UNBOUND, 0);
 	if (!gdev->free_wq) {
 		destroy_workqueue(gdev->watch_wq);
 		return -ENOMEM;
