@@ -18,6 +18,11 @@ struct accel_engine_job {
 	uint32_t *stream;		/* until it has ended */
 };
 
+static size_t engine_bytes(const struct accel_engine_job *job)
+{
+	return (size_t)job->job.stream_words * sizeof(uint32_t);
+}
+
 static void engine_job_drop(struct accel_job_entry *entry)
 {
 	struct accel_engine_job *job = (struct accel_engine_job *)entry;
@@ -51,6 +56,7 @@ static void *engine_thread(void *argument)
 		engine->first = job->next;
 		if (!engine->first)
 			engine->last = &engine->first;
+		engine->queued -= engine_bytes(job);
 		job->ended = true;
 		pthread_cond_broadcast(&engine->ended);
 	}
@@ -208,6 +214,7 @@ int accel_engine_submit(void *state, const struct accel_transport_job *from, uin
 	accel_job_table_put(&engine->jobs, &job->entry, *sequence);
 	*engine->last = job;
 	engine->last = &job->next;
+	engine->queued += engine_bytes(job);
 	pthread_cond_signal(&engine->submitted);
 	pthread_mutex_unlock(&engine->lock);
 	return 0;
@@ -215,6 +222,16 @@ int accel_engine_submit(void *state, const struct accel_transport_job *from, uin
 err_free:
 	engine_job_drop(&job->entry);
 	return err;
+}
+
+void accel_engine_wait_for_room(void *state)
+{
+	struct accel_engine *engine = state;
+
+	pthread_mutex_lock(&engine->lock);
+	while (engine->queued >= ENGINE_QUEUED_MAX)
+		pthread_cond_wait(&engine->ended, &engine->lock);
+	pthread_mutex_unlock(&engine->lock);
 }
 
 int accel_engine_wait(void *state, uint64_t sequence, int64_t timeout_ns,

@@ -17,6 +17,9 @@
 #define ENGINE_MEMORY_DEFAULT (256ull << 20)
 #define ENGINE_MEMORY_MAX (1ull << 32)
 
+/* With as much in memory to be run, a further job waits: a program can not run away from it. */
+#define ENGINE_QUEUED_MAX (64u << 20)
+
 /*
  * Runs one job to its end; called from the engine's thread. An error means that
  * the board failed and is ready for the next job all the same.
@@ -38,6 +41,7 @@ struct accel_engine {
 	struct accel_job_table jobs;	/* until they were waited for */
 	struct accel_engine_job *first, **last;	/* to be run, and the one that runs */
 	uint64_t sequence;
+	size_t queued;			/* bytes of streams that have not been run */
 	bool stop;
 };
 
@@ -56,6 +60,7 @@ void accel_engine_fini(struct accel_engine *engine);
  */
 int accel_engine_memory_new(void *state, uint64_t size, uint64_t *object);
 void accel_engine_memory_free(void *state, uint64_t object);
+void accel_engine_wait_for_room(void *state);
 int accel_engine_submit(void *state, const struct accel_transport_job *job, uint64_t *sequence);
 int accel_engine_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 		      struct gloss_status *status);

@@ -89,6 +89,7 @@ const struct accel_transport_ops accel_transport_model = {
 	.info = transport_model_info,
 	.memory_new = accel_engine_memory_new,
 	.memory_free = accel_engine_memory_free,
+	.wait_for_room = accel_engine_wait_for_room,
 	.submit = accel_engine_submit,
 	.wait = accel_engine_wait,
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The engine with a board that does what the test says. */
+#define _GNU_SOURCE
 #include <malloc.h>
 #include <pthread.h>
 #include <signal.h>
@@ -176,6 +177,37 @@ static void streams_of_ended_jobs_are_gone_before_they_are_waited_for(void **sta
 		assert_int_equal(accel_engine_wait(board, sequence[i], -1, &status), 0);
 }
 
+static void *wait_for_room(void *data)
+{
+	accel_engine_wait_for_room(data);
+	return NULL;
+}
+
+static void what_is_queued_is_bounded(void **state)
+{
+	const uint32_t count = ENGINE_QUEUED_MAX / 4 / 2;
+	uint32_t *words = calloc(count, sizeof(*words));
+	const struct accel_transport_job job = { .stream = words, .stream_words = count };
+	struct gloss_status status;
+	struct board *board = *state;
+	uint64_t sequence[2];
+	pthread_t thread;
+
+	for (int i = 0; i < 2; i++) {
+		accel_engine_wait_for_room(board);
+		assert_int_equal(accel_engine_submit(board, &job, &sequence[i]), 0);
+	}
+	assert_int_equal(pthread_create(&thread, NULL, wait_for_room, board), 0);
+	usleep(20000);
+	assert_int_equal(pthread_tryjoin_np(thread, NULL), EBUSY);
+	board_allow(board, 1);
+	pthread_join(thread, NULL);
+	board_allow(board, 1);
+	for (int i = 0; i < 2; i++)
+		assert_int_equal(accel_engine_wait(board, sequence[i], -1, &status), 0);
+	free(words);
+}
+
 static void a_slot_is_as_large_as_was_asked_for(void **state)
 {
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ };
@@ -305,6 +337,7 @@ int main(void)
 		engine_test(a_failed_board_takes_the_next_job),
 		engine_test(the_stream_is_copied),
 		engine_test(streams_of_ended_jobs_are_gone_before_they_are_waited_for),
+		engine_test(what_is_queued_is_bounded),
 		engine_test(a_slot_is_as_large_as_was_asked_for),
 		engine_test(a_job_with_an_unknown_object_is_refused),
 		engine_test(memory_is_zero_when_it_changes_hands),
