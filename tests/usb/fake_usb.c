@@ -202,6 +202,16 @@ void fake_usb_limit_memory(size_t bytes)
 	pthread_mutex_unlock(&fake.lock);
 }
 
+unsigned int fake_usb_bulk_submits(void)
+{
+	unsigned int submits;
+
+	pthread_mutex_lock(&fake.lock);
+	submits = fake_usb.submits - fake_usb.control_submits;
+	pthread_mutex_unlock(&fake.lock);
+	return submits;
+}
+
 unsigned int fake_usb_take_depth_in(void)
 {
 	unsigned int depth;

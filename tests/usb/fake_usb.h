@@ -90,6 +90,7 @@ struct fake_usb {
 
 	unsigned int calls;		/* that can fail */
 	unsigned int submits, callbacks;
+	unsigned int control_submits;	/* of these, for registers */
 	unsigned int depth_out, depth_in;	/* most transfers in flight at once */
 	unsigned int resets;		/* CONTROL.reset written */
 	unsigned int implicit_claims;	/* that the kernel made, with a warning in its log */
@@ -127,6 +128,8 @@ void fake_usb_fail_always(const char *function, int error);
 
 /* The kernel has so many bytes for transfers in flight; 0: as many as there may be. */
 void fake_usb_limit_memory(size_t bytes);
+/* Submits but for registers, which are looked at as time passes. */
+unsigned int fake_usb_bulk_submits(void);
 /* Most IN transfers that were in flight at once since it was asked the last time. */
 unsigned int fake_usb_take_depth_in(void);
 

@@ -201,6 +201,7 @@ int fake_transfer_submit(struct libusb_transfer *public, const char *function)
 	bridge = fake_handle_bridge(public->dev_handle);
 	list_append(&bridge->queue[transfer->queue], transfer);
 	fake_usb.submits++;
+	fake_usb.control_submits += transfer->queue == FAKE_CONTROL;
 	fake_usb.in_flight++;
 	count_depth(&bridge->queue[FAKE_OUT], &fake_usb.depth_out);
 	count_depth(&bridge->queue[FAKE_IN], &fake_usb.depth_in);
