@@ -10,6 +10,7 @@
  * nobody gets these clocks.
  */
 #include <drm/drm_drv.h>
+#include <drm/drm_managed.h>
 
 #include "gloss_drv.h"
 
@@ -33,7 +34,7 @@ static void gloss_clocks_read(struct gloss_device *gdev, struct gloss_clocks_see
 		seen->stall[i] = gloss_read(gdev, GLOSS_REG_STALL_STREAM + i * sizeof(u32));
 }
 
-/* The job's file holds on to itself until the clocks are its. */
+/* A file is kept until it has its clocks, though it may be closed by then. */
 static void gloss_clocks_forget_file(struct gloss_clocks *clocks)
 {
 	if (clocks->file)
@@ -94,6 +95,17 @@ void gloss_clocks_reset(struct gloss_ring *ring)
 	lockdep_assert_held(&ring->lock);
 	memset(&ring->clocks.seen, 0, sizeof(ring->clocks.seen));
 	gloss_clocks_forget_file(&ring->clocks);
+}
+
+static void gloss_clocks_fini(struct drm_device *drm, void *data)
+{
+	gloss_clocks_forget_file(&to_gloss_device(drm)->ring.clocks);
+}
+
+/* The file that is remembered last is given up with the board. */
+int gloss_clocks_init(struct gloss_device *gdev)
+{
+	return drmm_add_action_or_reset(&gdev->drm, gloss_clocks_fini, NULL);
 }
 
 /* A board without a clock ends jobs all the same. */

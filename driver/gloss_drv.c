@@ -141,6 +141,7 @@ static int gloss_device_init(struct gloss_device *gdev)
 	return gloss_device_identify(gdev) ?:
 	       gloss_device_reset(gdev) ?:
 	       gloss_ring_init(gdev) ?:
+	       gloss_clocks_init(gdev) ?:
 	       gloss_hosts_init(gdev) ?:
 	       gloss_memory_init(gdev) ?:
 	       gloss_sched_init(gdev) ?:

@@ -547,6 +547,7 @@ static inline u64 gloss_file_client(const struct gloss_file *file)
 }
 
 /* gloss_clocks.c */
+int gloss_clocks_init(struct gloss_device *gdev);
 void gloss_clocks_ended(struct gloss_ring *ring, const struct gloss_job *job, s64 ns);
 void gloss_clocks_next(struct gloss_ring *ring, const struct gloss_job *job);
 void gloss_clocks_reset(struct gloss_ring *ring);

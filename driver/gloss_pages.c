@@ -56,6 +56,9 @@ static int gloss_pages_read(struct address_space *mapping, struct page **pages,
 		if (fatal_signal_pending(current))
 			return -EINTR;
 		page = shmem_read_mapping_page_gfp(mapping, i, gfp);
+		/* That is shmem's word for memory that was not to be had. */
+		if (page == ERR_PTR(-ENOSPC))
+			return -ENOMEM;
 		if (IS_ERR(page))
 			return PTR_ERR(page);
 		pages[i] = page;
