@@ -18,6 +18,9 @@ struct gloss_sim {
 public:
 	gloss_sim(void *memory, uint64_t size) : memory_(memory, size) { reset(); }
 
+	/* Scopes of a core leave the context of the thread, which is that of the core made last. */
+	~gloss_sim() { Verilated::threadContextp(&context_); }
+
 	void stalls(uint64_t seed) { stalls_ = SimStalls(seed); }
 	const char *violation() const { return violation_; }
 
