@@ -324,6 +324,9 @@ s64 gloss_ring_left_ms(struct gloss_ring *ring, unsigned int limit_ms, int *erro
 	list_for_each_entry(job, &ring->list, ring_node) {
 		s64 limit = gloss_ring_job_closed(job) ? closed_ms : limit_ms;
 
+		/* An empty job to the board. */
+		if (job->refused)
+			continue;
 		if (job == first)
 			limit -= gloss_ring_worked_ms(ring, job);
 		left = min(left, limit);
