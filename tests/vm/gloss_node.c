@@ -187,6 +187,25 @@ uint32_t node_fill(uint32_t *to, uint32_t slot, uint32_t offset, uint32_t tile, 
 	return (uint32_t)(at - to);
 }
 
+uint32_t node_long(uint32_t *to, uint32_t room)
+{
+	const struct gloss_triangle triangle = {
+		.geometry = GLOSS_GEOMETRY_COVERING,
+		.shading = GLOSS_SHADING_SECOND_ORDER,
+	};
+	const struct gloss_tile_begin begin = { .colour = 1 };
+	const struct gloss_tile_end end = { .colour_output = GLOSS_TILE_OUTPUT_DROP };
+	uint32_t length = 1 + gloss_triangle_length(&triangle), words = 1 + GLOSS_TILE_BEGIN_WORDS;
+
+	gloss_tile_begin_pack(to, &begin);
+	while (words + length + 1 + GLOSS_TILE_END_WORDS <= room) {
+		gloss_triangle_pack(to + words, &triangle);
+		words += length;
+	}
+	gloss_tile_end_pack(to + words, &end);
+	return words + 1 + GLOSS_TILE_END_WORDS;
+}
+
 /* ---- a file that runs jobs one at a time ---- */
 
 static int client_objects(struct client *client, uint64_t board_size)

@@ -56,6 +56,12 @@ uint32_t node_read(uint32_t *to, uint32_t slot, uint32_t offset, uint32_t count)
 /* Stores a cleared tile: 4 * tile * tile bytes from @offset on, all of them @value. */
 uint32_t node_fill(uint32_t *to, uint32_t slot, uint32_t offset, uint32_t tile, uint32_t value);
 
+/*
+ * A tile, and triangles that cover it, in at most @room words: the most work that a word of a
+ * stream can ask for.
+ */
+uint32_t node_long(uint32_t *to, uint32_t room);
+
 /* ---- a file that runs jobs one at a time ---- */
 
 /* Jobs that client_queue() can have under way. */

@@ -291,26 +291,6 @@ static void slow_jobs_are_not_late(void **state)
 	assert_int_equal(jobs_lost(&client), 0);
 }
 
-/* A tile, and triangles that cover it: the most work a word of a stream can ask for. */
-static uint32_t long_stream(uint32_t *stream, uint32_t room)
-{
-	const struct gloss_triangle triangle = {
-		.geometry = GLOSS_GEOMETRY_COVERING,
-		.shading = GLOSS_SHADING_SECOND_ORDER,
-	};
-	const struct gloss_tile_begin begin = { .colour = 1 };
-	const struct gloss_tile_end end = { .colour_output = GLOSS_TILE_OUTPUT_DROP };
-	uint32_t length = 1 + gloss_triangle_length(&triangle), words = 1 + GLOSS_TILE_BEGIN_WORDS;
-
-	gloss_tile_begin_pack(stream, &begin);
-	while (words + length + 1 + GLOSS_TILE_END_WORDS <= room) {
-		gloss_triangle_pack(stream + words, &triangle);
-		words += length;
-	}
-	gloss_tile_end_pack(stream + words, &end);
-	return words + 1 + GLOSS_TILE_END_WORDS;
-}
-
 /* Runs a job of @room bytes to its right end; for how long, in milliseconds. */
 static int long_job(uint32_t room)
 {
@@ -322,7 +302,7 @@ static int long_job(uint32_t room)
 	assert_int_equal(node_buffer_new(client.fd, room, &buffer), 0);
 	client_prepare(&client, &job, 1, 0);
 	job.submit.stream = buffer.handle;
-	job.submit.stream_words = long_stream(buffer.map, room / 4);
+	job.submit.stream_words = node_long(buffer.map, room / 4);
 	start = now_ms();
 	assert_int_equal(client_submit(&client, &job), 0);
 	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);

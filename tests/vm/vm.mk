@@ -7,6 +7,8 @@
 VM_TESTS := user:test_smoke
 # Figures for make bench, in the same form: no tests, as on a busy machine they miss their aims.
 VM_BENCHES :=
+# Names of tests that count something for make bench, too.
+VM_FIGURES :=
 # Those that check-vm runs on the newest kernel alone: long, and gloss.ko has no part in them.
 VM_ONCE :=
 # What else has to be built before they run.
@@ -83,7 +85,7 @@ check-vm: vm-programs ## the driver on virtual boards, in a virtual machine (KER
 bench-vm: vm-programs ## time of an empty job through the driver, streams and answers over USB
 	$(Q)+$(FOR_KERNELS) vm-modules-$$1 && \
 	tests/bench/retry - tests/vm/run --build $(BUILD) --kernel $$1 --results $(BUILD)/vm \
-		$(call vm_names,$(VM_BENCHES))
+		$(call vm_names,$(VM_BENCHES)) $(VM_FIGURES)
 
 run-kernels:
 	$(call quiet,TEST,kernels)
