@@ -17,11 +17,18 @@ node() {
 	printf '/dev/bus/usb/%03d/%03d' "$(cat "$1/busnum")" "$(cat "$1/devnum")"
 }
 
+# The last VALUE that a rule gave to KEY.
+rule_says() {
+	sed -n "s/.*\.rules:[0-9]* $1 \([0-9]*\)\$/\1/p" /tmp/udev.log | tail -n 1
+}
+
 # Applies the rules to the device at SYSFS, whose node is nobody's before, and prints whose then.
+# Since systemd 257 udevadm only tells what it would do to the node.
 apply() {
-	chmod 600 "$(node "$1")"
-	chgrp 0 "$(node "$1")"
 	udevadm test --action=add "$1" >/tmp/udev.log 2>&1
+	mode=$(rule_says MODE) group=$(rule_says GROUP)
+	chmod "${mode:-600}" "$(node "$1")"
+	chgrp "${group:-0}" "$(node "$1")"
 	stat -c '%A %U %G' "$(node "$1")"
 }
 
