@@ -431,8 +431,9 @@ struct accel_fence_status {
  * Of several jobs it waits for all, and answers as for the first that failed.
  * @status may be NULL; it is filled but for -ETIMEDOUT. 0 done; -EIO the job ended
  * with a fault (see @status), or, with no fault there, the board failed and was
- * reset; -ETIMEDOUT it still runs; -ENODEV the board is gone; -ENOMEM there was no
- * memory to run all of it. A wait after the job has ended gives the same answer again.
+ * reset; -ETIMEDOUT it still runs; -ETIME it ran for longer than a job may ("drm:") and
+ * may have done a part; -ENODEV the board is gone; -ENOMEM there was no memory to run
+ * all of it. A wait after the job has ended gives the same answer again.
  */
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 		     struct accel_fence_status *status);

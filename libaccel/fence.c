@@ -79,6 +79,9 @@ static void fence_message(struct accel_fence *fence, int err)
 				     fence_fault_text((enum gloss_fault)fence->status.fault));
 	else if (err == -EIO)
 		accel_device_message(fence->device, "the board failed and was reset");
+	else if (err == -ETIME)
+		accel_device_message(fence->device, "the job ran for longer than a job may and was "
+				     "ended; draw less at a time");
 	else if (err)
 		accel_device_message(fence->device, "the job was lost: %s",
 				     accel_device_why(fence->device, err));

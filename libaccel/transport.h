@@ -120,7 +120,8 @@ struct accel_transport_ops {
 	 * -ETIMEDOUT: still running; any other answer is the last one for this
 	 * job, whose number is then forgotten and whose response buffer is the
 	 * caller's again. -ENODEV: the board is gone; -EIO: the board failed and
-	 * was reset; -ENOMEM: there was none to run it; @status then has no fault.
+	 * was reset; -ETIME: the job ran for longer than it may; -ENOMEM: there was
+	 * none to run it; @status then has no fault.
 	 */
 	int (*wait)(void *state, uint64_t sequence, int64_t timeout_ns,
 		    struct gloss_status *status);

@@ -378,6 +378,20 @@ static struct drm_job *drm_job_take(struct transport_drm *transport, uint64_t se
 	return (struct drm_job *)entry;
 }
 
+/* What a job's @error in its status is to who waits for it. */
+static int drm_job_error(int error)
+{
+	switch (error) {
+	case -ENODEV:
+	case -ECANCELED:
+		return -ENODEV;
+	case -ETIME:
+		return error;
+	default:
+		return -EIO;
+	}
+}
+
 static int drm_job_result(const struct drm_job *job, struct gloss_status *status)
 {
 	const uint8_t *map = job->buffer->map;
@@ -386,7 +400,7 @@ static int drm_job_result(const struct drm_job *job, struct gloss_status *status
 
 	memcpy(&ended, map + STATUS_OFFSET, sizeof(ended));
 	if (ended.error)
-		return ended.error == -ENODEV || ended.error == -ECANCELED ? -ENODEV : -EIO;
+		return drm_job_error(ended.error);
 	words = ended.response_words < job->response_words ? ended.response_words :
 							     job->response_words;
 	*status = (struct gloss_status){

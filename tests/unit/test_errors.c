@@ -476,7 +476,8 @@ static const struct reached {
 	{ "accel_fence_wait", -ENOMEM, wait_without_memory },
 };
 
-/* Memory of the program's own that runs out: what makes each call fail so is in other programs.
+/* Reached in other programs, as it takes memory of the program's own that runs out, or a driver:
+ * accel_fence_wait -ETIME: test_transport_drm.c
  * accel_draw_clear -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_mesh -ENOMEM: test_draw_out_of_memory.c */
 

@@ -198,6 +198,7 @@ static void a_lost_job_fails_alone(void **state)
 		int error, answer;
 	} lost[] = {
 		{ -EIO, -EIO }, { -ENODEV, -ENODEV }, { -ECANCELED, -ENODEV }, { -EPROTO, -EIO },
+		{ -ETIME, -ETIME },
 		{ FAKE_NO_STATUS, -EIO },
 	};
 	struct gloss_status status;
