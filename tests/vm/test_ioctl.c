@@ -73,7 +73,7 @@ static void unknown_ioctls_are_refused(void **state)
 	struct drm_gloss_submit zero = { 0 };
 
 	(void)state;
-	for (unsigned int n = DRM_GLOSS_SUBMIT + 1; n < 0x60; n++)
+	for (unsigned int n = DRM_GLOSS_GET_CLOCKS + 1; n < 0x60; n++)
 		assert_int_equal(node_ioctl(client.fd, DRM_IOW(DRM_COMMAND_BASE + n,
 						struct drm_gloss_submit), &zero), -EINVAL);
 }
