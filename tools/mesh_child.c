@@ -201,6 +201,15 @@ static int crashed(const char *path, int status, const struct child_limits *limi
 	return -EPROTO;
 }
 
+static bool has_vertices(const struct mesh *mesh)
+{
+	for (uint32_t i = 0; i < mesh->triangles; i++)
+		for (int j = 0; j < 3; j++)
+			if (mesh->triangle[i][j] >= mesh->vertices)
+				return false;
+	return true;
+}
+
 /* The child's numbers are as little to be trusted as the file. */
 static int take(const struct child *child, const char *path, struct mesh *mesh,
 		char message[MESH_MESSAGE])
@@ -224,7 +233,9 @@ static int take(const struct child *child, const char *path, struct mesh *mesh,
 	}
 	if (!ret)
 		copy_arrays(mesh, &shared);
-	else
+	if (!ret && !has_vertices(mesh))
+		ret = crashed(path, 0, NULL, message);
+	if (ret)
 		mesh_free(mesh);
 	munmap(map, end);
 	return ret;

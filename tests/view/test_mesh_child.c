@@ -130,6 +130,26 @@ static int load_leaving(const char *path, const struct mesh_options *given, stru
 	_exit(0);
 }
 
+static int load_spoilt(const char *path, const struct mesh_options *given, struct mesh *mesh,
+		       char message[MESH_MESSAGE])
+{
+	int ret = load_torus(path, given, mesh, message);
+
+	mesh->triangle[mesh->triangles - 1][2] = mesh->vertices;
+	return ret;
+}
+
+static void an_index_without_a_vertex_does_not_arrive(void **state)
+{
+	struct mesh mesh = { 0 };
+	char message[MESH_MESSAGE];
+
+	(void)state;
+	assert_int_equal(run(load_spoilt, &mesh, message), -EPROTO);
+	assert_non_null(strstr(message, "a/b.obj"));
+	assert_null(mesh.triangle);
+}
+
 static void a_crash_is_an_error_and_a_line(void **state)
 {
 	char message[MESH_MESSAGE];
@@ -288,6 +308,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(what_the_child_made_arrives),
 		cmocka_unit_test(its_error_and_message_arrive),
+		cmocka_unit_test(an_index_without_a_vertex_does_not_arrive),
 		cmocka_unit_test(a_crash_is_an_error_and_a_line),
 		cmocka_unit_test(what_never_ends_is_ended),
 		cmocka_unit_test(memory_has_an_end),
