@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Whole jobs, model against RTL. 1000 groups are 10,000 valid and 2,000 damaged jobs.
+# Whole jobs, model against RTL, other ones each time. 200 groups are 2,000 valid and 400 damaged jobs for
+# each core; before a change of the core lands, make stream STREAM_GROUPS=1000 or more.
 
-STREAM_GROUPS ?= 1000
+STREAM_GROUPS ?= 200
 STREAM_SOURCES := $(addprefix tests/stream/, \
 	test_stream.c stream_random.c stream_random_triangle.c stream_random_damage.c) \
 	tools/decode.c tools/decode_print.c

@@ -37,7 +37,9 @@ $(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): 
 		$(filter %.c %.o,$^) $(filter %.a,$^) $(FAKE_USB_LDFLAGS) $(UNIT_LDFLAGS) -lcmocka \
 		$(filter-out $(USB_LIBS),$(ACCEL_LIBS)) -o $@
 
-# They run under ASan and UBSan, TSan and valgrind, too: the last two are slow and have a sample.
+# They run under ASan and UBSan, TSan and valgrind, too: the last two are slow and have a sample. Other
+# points each time; USB_FAULTS=1000 make run-test_usb_faults for more.
+run-test_usb_faults: export USB_FAULTS ?= 250
 USB_FAULTS_SAMPLE ?= 40
 USB_VALGRIND_TESTS := test_fake_usb test_usb_faults
 ACCEL_UNIT_TESTS += $(USB_TESTS)
