@@ -60,6 +60,7 @@ include tools/vboard/vboard.mk
 include tests/stream/stream.mk
 include tests/usb/usb.mk
 include tests/vm/vm.mk
+include tests/docs/docs.mk
 include tests/tests.mk
 
 .PHONY: all deps demo check unit lint install clean help

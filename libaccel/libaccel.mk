@@ -25,7 +25,7 @@ ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c strea
 	job_table.c range.c option.c thread.c) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
-ACCEL_VERSION := 0.1
+ACCEL_VERSION := $(shell cat VERSION)
 ACCEL_SONAME := libaccel.so.0
 
 $(BUILD)/libaccel/%.o: libaccel/%.c
