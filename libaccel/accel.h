@@ -37,6 +37,12 @@
  * after its parent was killed. The library stays loaded: dlclose() does not take it
  * away from its threads.
  *
+ * Environment. ACCEL_DUMP=FOLDER makes each device that is opened write the jobs of
+ * accel_draw_submit and accel_stream_submit to files in that folder, for gloss-decode(1); such a
+ * submit waits for the jobs before it. What fails there is a message and no error.
+ * GLOSS_SIM_PATH=FOLDER is where "sim:" looks for its plugin first. A program that runs with
+ * more rights than its user ignores both.
+ *
  * Ownership. Every _new has its _free, which takes NULL. An object keeps what
  * it was made from, and what it refers to, alive: freeing a device with buffers
  * left frees it when the last buffer goes, and a buffer named by a stream or by

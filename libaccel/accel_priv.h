@@ -23,6 +23,7 @@ struct accel_device {
 	struct accel_transport_info info;
 	accel_message_fn message;	/* may be NULL */
 	void *message_data;
+	struct accel_dump *dump;	/* NULL: no job is written to files */
 	pid_t process;			/* that opened it; in a child of fork() nothing works */
 	pthread_mutex_t lock;		/* of calls of ops, see transport.h */
 	atomic_uint references;
@@ -90,6 +91,8 @@ int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_
 			   uint32_t count, uint32_t rows, uint32_t *words);
 
 /* stream.c */
+/* As accel_stream_new, for copies of the library's own, which are not dumped. */
+int accel_stream_new_copy(struct accel_device *device, struct accel_stream **stream);
 struct accel_device *accel_stream_device(const struct accel_stream *stream);
 /* Appends words as accel_stream_emit does, which are not copied: they are lent until the stream is
  * sent or reset. accel_stream_words does not show them. */

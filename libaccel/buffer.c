@@ -121,7 +121,7 @@ int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void 
 	err = buffer_check(buffer, offset, size);
 	if (err)
 		return err;
-	err = accel_stream_new(buffer->device, &stream);
+	err = accel_stream_new_copy(buffer->device, &stream);
 	if (err)
 		return err;
 	while (!err && size) {
@@ -160,7 +160,7 @@ int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_
 	struct accel_stream *stream;
 	int err;
 
-	err = accel_stream_new(buffer->device, &stream);
+	err = accel_stream_new_copy(buffer->device, &stream);
 	if (err)
 		return err;
 	err = buffer_emit_reads(stream, buffer, offset, pitch, count, rows);

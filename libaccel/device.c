@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "accel_priv.h"
+#include "dump.h"
 #include "thread.h"
 
 /* "auto" tries them in this order. */
@@ -123,15 +124,20 @@ int accel_device_new(const char *name, accel_message_fn message, void *data,
 		.process = getpid(),
 		.references = 1,
 	};
+	err = accel_dump_new(&device->dump);
+	if (err)
+		goto err_free;
 	held = accel_thread_hold_cancel();
 	err = device_open_name(device, name ? name : "auto");
 	accel_thread_allow_cancel(held);
 	if (err)
-		goto err_free;
+		goto err_free_dump;
 	pthread_mutex_init(&device->lock, NULL);
 	*out = device;
 	return 0;
 
+err_free_dump:
+	accel_dump_free(device->dump);
 err_free:
 	free(device);
 	return err;
@@ -249,6 +255,7 @@ void accel_device_unref(struct accel_device *device)
 	if (atomic_fetch_sub(&device->references, 1) != 1)
 		return;
 	device_close(device);
+	accel_dump_free(device->dump);
 	free(device);
 }
 

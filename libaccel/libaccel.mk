@@ -20,8 +20,8 @@ else
 USB_SOURCES := transport_usb_none.c
 endif
 
-ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c \
-	$(DRM_SOURCES) $(USB_SOURCES) transport.c transport_model.c transport_sim.c engine.c \
+ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c dump.c \
+	fence.c $(DRM_SOURCES) $(USB_SOURCES) transport.c transport_model.c transport_sim.c engine.c \
 	job_table.c range.c option.c thread.c) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)

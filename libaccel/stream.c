@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "accel_priv.h"
+#include "dump.h"
 #include "thread.h"
 
 #define STREAM_ROOM_FIRST 1024u
@@ -12,6 +13,7 @@
 
 struct accel_stream {
 	struct accel_device *device;
+	bool is_copy;			/* of the library's own: not dumped */
 	uint32_t *words;		/* its own */
 	size_t count, room;
 	/* What it consists of if some words are lent; with NULL the next of its own. */
@@ -33,6 +35,15 @@ int accel_stream_new(struct accel_device *device, struct accel_stream **out)
 	stream->device = accel_device_ref(device);
 	*out = stream;
 	return 0;
+}
+
+int accel_stream_new_copy(struct accel_device *device, struct accel_stream **out)
+{
+	int err = accel_stream_new(device, out);
+
+	if (!err)
+		(*out)->is_copy = true;
+	return err;
 }
 
 struct accel_device *accel_stream_device(const struct accel_stream *stream)
@@ -260,6 +271,8 @@ static int stream_start(struct accel_stream *stream, uint32_t *response,
 			.object = stream->buffer[i]->object,
 			.rights = (enum gloss_rights)stream->rights[i],
 		};
+	if (!stream->is_copy)
+		accel_dump_job(device, &job, stream->buffer);
 	err = accel_device_enter(device, &held);
 	if (err)
 		return err;
