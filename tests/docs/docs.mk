@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What documents say, where a program can tell whether it is true.
 
-.PHONY: test-version test-links print-version
+.PHONY: test-version test-links test-docs print-version
 test-version: ## one version everywhere: that of the file VERSION
 	$(call quiet,TEST,version)
 	$(Q)tests/docs/version
@@ -10,7 +10,14 @@ test-links: ## the files that documents name are there
 	$(call quiet,TEST,links)
 	$(Q)tests/docs/links
 
+# Documents whose commands are run.
+CONSOLE_DOCS := docs/debugging-a-picture.md
+
+test-docs: $(BUILD)/libaccel.so $(BUILD)/gloss-decode $(BUILD)/sim/accel-sim-t64-k8.so ## commands in documents print what stands there
+	$(call quiet,TEST,docs)
+	$(Q)tests/docs/console $(BUILD) $(CONSOLE_DOCS)
+
 print-version:
 	@echo $(ACCEL_VERSION)
 
-CHECKS += test-version test-links
+CHECKS += test-version test-links test-docs
