@@ -17,7 +17,19 @@ test-docs: $(BUILD)/libaccel.so $(BUILD)/gloss-decode $(BUILD)/sim/accel-sim-t64
 	$(call quiet,TEST,docs)
 	$(Q)tests/docs/console $(BUILD) $(CONSOLE_DOCS)
 
+.PHONY: pictures test-pictures
+pictures: $(BUILD)/gloss-view ## draw the pictures of the documents anew
+	$(Q)docs/pictures/make $< $(MODELS)
+
+test-pictures: $(BUILD)/gloss-view ## the documents' pictures are what gloss-view draws
+	$(call quiet,TEST,pictures)
+	$(Q)if [ -e $(MODELS)/bunny.obj ] && [ -e $(MODELS)/horse.3ds ]; then \
+		docs/pictures/make --check $< $(MODELS); \
+	else \
+		echo 'skip: no meshes in $(MODELS); install glmark2-data (make deps)'; \
+	fi
+
 print-version:
 	@echo $(ACCEL_VERSION)
 
-CHECKS += test-version test-links test-docs
+CHECKS += test-version test-links test-docs test-pictures
