@@ -47,7 +47,7 @@ LINT_C     :=
 
 include tools/tools.mk
 include libaccel/model/model.mk
-include libaccel/draw.mk
+include libaccel/draw/draw.mk
 include libaccel/libaccel.mk
 include tools/view.mk
 include tools/info.mk

@@ -17,8 +17,8 @@ lint-rtl: ## verilator -Wall on the core and on the boards around it, at several
 		done; \
 	done
 
-LINT_SOURCES = $(sort $(wildcard libaccel/*.c libaccel/model/*.c tools/*.c \
-	tools/vboard/*.c examples/*.c))
+LINT_SOURCES = $(sort $(wildcard libaccel/*.c libaccel/*/*.c libaccel/*/*/*.c \
+	tools/*.c tools/*/*.c tools/*/*/*.c examples/*.c))
 LINT_FLAGS = -std=gnu11 -Ilibaccel -Itools $(LINT_C)
 
 lint-tidy: check-generated ## clang-tidy on the C sources

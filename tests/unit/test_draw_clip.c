@@ -4,7 +4,7 @@
  * meets one in view is drawn once. A sliver that clipping makes may be turned over by snapping its
  * corners, and then draw a pixel on its border that its neighbour draws too: that is rare.
  */
-#include "../../libaccel/draw.c"
+#include "draw/draw.c"
 
 #include "draw_mesh.h"
 #include "draw_test.h"

@@ -10,7 +10,7 @@ static void chance_edge(const struct accel_pass *pass, const struct accel_vertex
 			const struct accel_vertex *b, int side, struct accel_edge *edge);
 
 #define accel_shading_edge chance_edge
-#include "../../libaccel/split.c"
+#include "draw/split.c"
 
 #define WIDTH 128
 #define HEIGHT 2048

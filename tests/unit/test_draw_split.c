@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Splitting changes colours, and nothing else: not the pixels a mesh covers, not their depth. */
-#include "../../libaccel/draw.c"
+#include "draw/draw.c"
 
 #include "draw_mesh.h"
 #include "draw_test.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* One TRIANGLE packet: a triangle's edges and surfaces, as a tile has them. */
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 static int anchor_x(const struct accel_place *place)
 {

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 /* Fractions of full scale: less of a highlight is not worth a split, or even its power function. */
 #define HIGHLIGHT_VISIBLE (2 / 255.0f)

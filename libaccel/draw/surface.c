@@ -8,7 +8,7 @@
  */
 #include <math.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 #define CHANNELS 4
 #define DEPTH_MAX 16777215.0

@@ -6,7 +6,7 @@
  */
 #include <math.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 /* A step of a channel. */
 #define STEP (1 / 255.0f)

@@ -7,7 +7,7 @@
  * In row y an edge is at place = x0 + (yc - y0) * dx / dy, where yc is the row's centre, and the
  * first pixel not left of it is ceil(place - 1/2). All of this is done in integers.
  */
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 /* As group edges_compact says; and its fields r, m, dy have ten bits. */
 #define NARROW_PIXELS 63

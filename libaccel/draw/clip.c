@@ -3,7 +3,7 @@
  * Clipping (Sutherland and Hodgman 1974). A new corner is always worked out from the corner inside
  * towards the one outside, so neighbours get the same corner on the edge they share.
  */
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 static void between(const struct accel_corner *inside, const struct accel_corner *outside, double t,
 		    struct accel_corner *corner)

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 #define BLOCK_CHUNKS 64
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 {

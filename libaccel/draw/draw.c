@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 #define DEPTH_MAX 16777215.0
 

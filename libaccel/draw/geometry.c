@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <math.h>
 
-#include "draw_priv.h"
+#include "draw/draw_priv.h"
 
 /* w below this is no place in front of the eye that could be divided by. */
 #define EYE_W_MIN 1e-30
