@@ -8,7 +8,7 @@
 #include <sys/types.h>
 
 #include "accel.h"
-#include "transport.h"
+#include "transport/transport.h"
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 	       "words go to the board as they lie in memory, which it reads as little-endian");

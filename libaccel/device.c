@@ -8,7 +8,7 @@
 
 #include "accel_priv.h"
 #include "dump.h"
-#include "thread.h"
+#include "transport/thread.h"
 
 /* "auto" tries them in this order. */
 static const struct accel_transport_ops *const transports[] = {

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "transport.h"
+#include "transport/transport.h"
 
 /*
  * Opens the node @where, or the first render node of a Gloss board if that is "", and stores

@@ -23,7 +23,7 @@
 
 #include "accel_priv.h"
 #include "dump.h"
-#include "thread.h"
+#include "transport/thread.h"
 
 /* One job reads as many. */
 #define DUMP_CHUNK_WORDS 65535u

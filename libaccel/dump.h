@@ -4,7 +4,7 @@
 #define ACCEL_DUMP_H
 
 #include "accel.h"
-#include "transport.h"
+#include "transport/transport.h"
 
 struct accel_dump;
 

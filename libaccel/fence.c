@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "accel_priv.h"
-#include "thread.h"
+#include "transport/thread.h"
 
 /* A job that has not been waited for. */
 struct fence_job {

@@ -21,8 +21,8 @@ USB_SOURCES := transport_usb_none.c
 endif
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c dump.c \
-	fence.c $(DRM_SOURCES) $(USB_SOURCES) transport.c transport_model.c transport_sim.c engine.c \
-	job_table.c range.c option.c thread.c) $(DRAW_SOURCES)
+	fence.c $(DRM_SOURCES) $(USB_SOURCES) $(addprefix transport/, transport.c model.c sim.c \
+	engine.c job_table.c range.c option.c thread.c)) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
 ACCEL_VERSION := $(shell cat VERSION)
@@ -43,8 +43,8 @@ LINT_C += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
 $(BUILD)/libaccel/sim_dir: FORCE
 	@mkdir -p $(@D)
 	@echo '$(ACCEL_SIM_DIR)' | cmp -s - $@ || echo '$(ACCEL_SIM_DIR)' >$@
-$(BUILD)/libaccel/transport_sim.o: $(BUILD)/libaccel/sim_dir
-$(BUILD)/libaccel/transport_sim.o: ACCEL_CFLAGS += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
+$(BUILD)/libaccel/transport/sim.o: $(BUILD)/libaccel/sim_dir
+$(BUILD)/libaccel/transport/sim.o: ACCEL_CFLAGS += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
 
 .PHONY: FORCE
 FORCE:

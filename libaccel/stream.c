@@ -5,7 +5,7 @@
 
 #include "accel_priv.h"
 #include "dump.h"
-#include "thread.h"
+#include "transport/thread.h"
 
 #define STREAM_ROOM_FIRST 1024u
 #define PARTS_ROOM_FIRST 64u

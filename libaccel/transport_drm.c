@@ -17,7 +17,7 @@
 #include "drm_node.h"
 #include "drm_pool.h"
 #include "gloss_drm.h"
-#include "job_table.h"
+#include "transport/job_table.h"
 
 #define PAGE 4096u
 #define NS_PER_S 1000000000

@@ -2,7 +2,7 @@
 /* "drm:" in a library that was built where libdrm is not. */
 #include <errno.h>
 
-#include "transport.h"
+#include "transport/transport.h"
 
 static int transport_drm_open(const char *where, void **state,
 			      struct accel_transport_error *error)

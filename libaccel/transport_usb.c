@@ -11,7 +11,7 @@
 
 #include "clear.h"
 #include "gloss_regs.h"
-#include "range.h"
+#include "transport/range.h"
 #include "usb_checksum.h"
 #include "usb_link.h"
 #include "usb_node.h"

@@ -2,7 +2,7 @@
 /* "usb:" in a library that was built where libusb is not. */
 #include <errno.h>
 
-#include "transport.h"
+#include "transport/transport.h"
 
 static int transport_usb_open(const char *where, void **state,
 			      struct accel_transport_error *error)

@@ -5,7 +5,7 @@
 #include <time.h>
 
 #include "gloss_regs.h"
-#include "thread.h"
+#include "transport/thread.h"
 #include "usb_link_priv.h"
 
 #define NS_PER_MS 1000000

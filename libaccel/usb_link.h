@@ -10,7 +10,7 @@
 
 #include <pthread.h>
 
-#include "job_table.h"
+#include "transport/job_table.h"
 #include "usb_message.h"
 #include "usb_node.h"
 #include "usb_pool.h"

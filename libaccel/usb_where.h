@@ -6,7 +6,7 @@
 #include <libusb.h>
 #include <stdbool.h>
 
-#include "transport.h"
+#include "transport/transport.h"
 
 #define USB_INTERFACE 0
 #define USB_SERIAL_BYTES 128		/* a string of a descriptor has at most 126 characters */

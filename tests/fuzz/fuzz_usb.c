@@ -11,7 +11,7 @@
 
 #include "fake_usb.h"
 #include "fuzz_usb_input.h"
-#include "transport.h"
+#include "transport/transport.h"
 #include "usb_checksum.h"
 
 #define JOBS 6

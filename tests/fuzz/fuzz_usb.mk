@@ -2,14 +2,14 @@
 # Hostile boards on USB: the whole of "usb:" on the libusb of tests/usb, and its parser alone.
 
 # What is to be looked into, and what makes up its world, which the fuzzer need not see.
-FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/transport.c \
-	libaccel/job_table.c libaccel/range.c libaccel/thread.c
+FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/transport/transport.c \
+	libaccel/transport/job_table.c libaccel/transport/range.c libaccel/transport/thread.c
 FUZZ_USB_WORLD := $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
 	$(addprefix tools/vboard/,port_base.c board_engine.c port_usb.c board_usb_model.c)
 FUZZ_USB_WORLD_OBJS := $(FUZZ_USB_WORLD:%.c=$(BUILD)/fuzz/world/%.o)
 FUZZ_USB_MESSAGE_SOURCES := tests/fuzz/fuzz_usb_message.c libaccel/usb_message.c
 FUZZ_USB_HEADERS := $(wildcard tests/fuzz/*.h tests/usb/*.h tools/vboard/*.h libaccel/*.h \
-	libaccel/model/*.h)
+	libaccel/*/*.h)
 FUZZ_USB_PROGRAMS := $(addprefix $(BUILD)/fuzz/, \
 	fuzz_usb fuzz_usb_corpus fuzz_usb_message fuzz_usb_message_corpus)
 

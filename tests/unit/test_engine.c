@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "accel_test.h"
-#include "engine.h"
+#include "transport/engine.h"
 
 #define PAGE 4096u
 

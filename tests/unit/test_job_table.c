@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "accel_test.h"
-#include "job_table.h"
+#include "transport/job_table.h"
 
 #define JOBS 100000u
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "accel_test.h"
-#include "option.h"
+#include "transport/option.h"
 
 struct values {
 	uint64_t size, count;

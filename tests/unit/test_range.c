@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "accel_test.h"
-#include "range.h"
+#include "transport/range.h"
 
 #define PAGE 4096u
 #define SPACE (64u * PAGE)

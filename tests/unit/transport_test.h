@@ -9,7 +9,7 @@
 #include <pthread.h>
 
 #include "accel_test.h"
-#include "transport.h"
+#include "transport/transport.h"
 
 #define PAGE_WORDS 1024u
 

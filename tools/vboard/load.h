@@ -3,7 +3,7 @@
 #ifndef VBOARD_LOAD_H
 #define VBOARD_LOAD_H
 
-#include "transport.h"
+#include "transport/transport.h"
 
 /* The first fields of gloss_board_ops and of gloss_usb_board_ops. */
 struct vboard_load_head {

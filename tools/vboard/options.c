@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "engine.h"
-#include "option.h"
+#include "transport/engine.h"
+#include "transport/option.h"
 #include "options.h"
 
 #ifndef GLOSS_RELEASE

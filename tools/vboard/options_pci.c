@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* What vboard-pci takes. */
-#include "option.h"
+#include "transport/option.h"
 #include "options.h"
 #include "vboard.h"
 

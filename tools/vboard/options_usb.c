@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "option.h"
+#include "transport/option.h"
 #include "options.h"
 
 #define OPTIONS_TEXT_MAX 1024		/* characters of a board's options */

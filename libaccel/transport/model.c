@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "engine.h"
+#include "transport/engine.h"
 #include "model/model.h"
-#include "option.h"
+#include "transport/option.h"
 
 struct transport_model {
 	struct accel_engine engine;	/* first, see engine.h */

@@ -3,7 +3,7 @@
 #include <signal.h>
 #include <time.h>
 
-#include "thread.h"
+#include "transport/thread.h"
 
 #define NS_PER_S 1000000000
 

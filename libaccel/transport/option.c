@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "option.h"
+#include "transport/option.h"
 
 /* Names are short; what a person typed wrong may not be. */
 #define SHOWN 60

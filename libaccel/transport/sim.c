@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "engine.h"
-#include "option.h"
+#include "transport/engine.h"
+#include "transport/option.h"
 #include "sim.h"
 
 /* How many times what a packet should take at most before the job counts as hung: a memory

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "transport.h"
+#include "transport/transport.h"
 
 /* A number, named by @name; 0 in @multiple_of means a power of two. */
 struct accel_option {

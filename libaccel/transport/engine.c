@@ -5,8 +5,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "engine.h"
-#include "thread.h"
+#include "transport/engine.h"
+#include "transport/thread.h"
 
 struct accel_engine_job {
 	struct accel_job_entry entry;	/* first, so that an entry is its job */

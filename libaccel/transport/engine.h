@@ -10,9 +10,9 @@
 #include <pthread.h>
 #include <stdbool.h>
 
-#include "job_table.h"
-#include "range.h"
-#include "transport.h"
+#include "transport/job_table.h"
+#include "transport/range.h"
+#include "transport/transport.h"
 
 #define ENGINE_MEMORY_DEFAULT (256ull << 20)
 #define ENGINE_MEMORY_MAX (1ull << 32)

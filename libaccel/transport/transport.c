@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "transport.h"
+#include "transport/transport.h"
 
 void accel_transport_say(struct accel_transport_error *error, const char *format, ...)
 {

@@ -2,7 +2,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-#include "range.h"
+#include "transport/range.h"
 
 void accel_range_init(struct accel_range_space *space, uint64_t size)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stdlib.h>
 
-#include "job_table.h"
+#include "transport/job_table.h"
 
 void accel_job_table_init(struct accel_job_table *table)
 {
