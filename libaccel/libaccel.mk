@@ -3,11 +3,11 @@
 
 # "drm:" takes libdrm; without it the library says so when it is asked for a PCI board.
 ifeq ($(shell pkg-config --exists 'libdrm >= 2.4.99' 2>/dev/null && echo yes),yes)
-DRM_SOURCES := transport_drm.c drm_node.c drm_pool.c
+DRM_SOURCES := $(addprefix transport/drm/, drm.c node.c pool.c)
 DRM_CFLAGS := -Idriver $(shell pkg-config --cflags libdrm)
 DRM_LIBS := $(shell pkg-config --libs libdrm)
 else
-DRM_SOURCES := transport_drm_none.c
+DRM_SOURCES := transport/drm/none.c
 endif
 
 # "usb:" takes libusb, likewise.

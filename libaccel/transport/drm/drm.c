@@ -14,8 +14,8 @@
 #include <unistd.h>
 #include <xf86drm.h>
 
-#include "drm_node.h"
-#include "drm_pool.h"
+#include "transport/drm/node.h"
+#include "transport/drm/pool.h"
 #include "gloss_drm.h"
 #include "transport/job_table.h"
 

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <xf86drm.h>
 
-#include "drm_node.h"
+#include "transport/drm/node.h"
 
 #define DRIVER "gloss"
 #define DEVICES_MAX 64

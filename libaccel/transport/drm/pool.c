@@ -5,8 +5,8 @@
 #include <sys/types.h>
 #include <xf86drm.h>
 
-#include "drm_node.h"
-#include "drm_pool.h"
+#include "transport/drm/node.h"
+#include "transport/drm/pool.h"
 #include "gloss_drm.h"
 
 #define PAGE 4096u
