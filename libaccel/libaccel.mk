@@ -12,12 +12,12 @@ endif
 
 # "usb:" takes libusb, likewise.
 ifeq ($(shell pkg-config --exists 'libusb-1.0 >= 1.0.21' 2>/dev/null && echo yes),yes)
-USB_SOURCES := transport_usb.c usb_link.c usb_message.c usb_node.c usb_pool.c usb_sync.c \
-	usb_where.c usb_transfer.c usb_watch.c usb_clocks.c clear.c
+USB_SOURCES := $(addprefix transport/usb/, usb.c link.c message.c node.c pool.c sync.c where.c \
+	transfer.c watch.c clocks.c zero.c)
 USB_CFLAGS := -Idriver $(shell pkg-config --cflags libusb-1.0)
 USB_LIBS := $(shell pkg-config --libs libusb-1.0)
 else
-USB_SOURCES := transport_usb_none.c
+USB_SOURCES := transport/usb/none.c
 endif
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c dump.c \

@@ -49,7 +49,7 @@ PORT_TB_NEEDS := $(addprefix tests/rtl/,port_access.h port_core.h tb.h) \
 	driver/gloss_regs.h libaccel/gloss_packets.h
 PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h)
 PORT_TB_usb := $(addprefix tests/rtl/,tb_port_usb.cpp tb_port_usb_faults.cpp port_usb_bench.h) \
-	libaccel/usb_checksum.h
+	libaccel/transport/usb/checksum.h
 
 # $(1): port, $(2): parameters, $(3): sources, $(4): flags for Verilator
 define port_bench

@@ -8,7 +8,7 @@ FUZZ_DRAW_CFLAGS := -g -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
 # Without boards, which take other libraries.
 FUZZ_DRAW_SOURCES := tests/fuzz/fuzz_draw.c $(MODEL_SOURCES) \
 	$(filter-out $(addprefix libaccel/,$(DRM_SOURCES) $(USB_SOURCES)),$(ACCEL_SOURCES)) \
-	libaccel/transport/drm/none.c libaccel/transport_usb_none.c
+	libaccel/transport/drm/none.c libaccel/transport/usb/none.c
 FUZZ_DRAW_OBJS := $(FUZZ_DRAW_SOURCES:%.c=$(BUILD)/fuzz/draw/%.o)
 
 $(FUZZ_DRAW_OBJS): $(BUILD)/fuzz/draw/%.o: %.c

@@ -12,7 +12,7 @@
 #include "fake_usb.h"
 #include "fuzz_usb_input.h"
 #include "transport/transport.h"
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 
 #define JOBS 6
 #define PAGE_WORDS 1024u

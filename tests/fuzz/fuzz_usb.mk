@@ -7,9 +7,9 @@ FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/t
 FUZZ_USB_WORLD := $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
 	$(addprefix tools/vboard/,port_base.c board_engine.c port_usb.c board_usb_model.c)
 FUZZ_USB_WORLD_OBJS := $(FUZZ_USB_WORLD:%.c=$(BUILD)/fuzz/world/%.o)
-FUZZ_USB_MESSAGE_SOURCES := tests/fuzz/fuzz_usb_message.c libaccel/usb_message.c
+FUZZ_USB_MESSAGE_SOURCES := tests/fuzz/fuzz_usb_message.c libaccel/transport/usb/message.c
 FUZZ_USB_HEADERS := $(wildcard tests/fuzz/*.h tests/usb/*.h tools/vboard/*.h libaccel/*.h \
-	libaccel/*/*.h)
+	libaccel/*/*.h libaccel/*/*/*.h)
 FUZZ_USB_PROGRAMS := $(addprefix $(BUILD)/fuzz/, \
 	fuzz_usb fuzz_usb_corpus fuzz_usb_message fuzz_usb_message_corpus)
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "fuzz_usb_message_input.h"
-#include "usb_message.h"
+#include "transport/usb/message.h"
 
 #define JOBS FUZZ_MESSAGE_JOBS
 

@@ -11,7 +11,7 @@
 #include "fuzz_usb_message_input.h"
 #include "gloss_packets.h"
 #include "gloss_regs.h"
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 
 #define WORDS_MAX 4096u
 

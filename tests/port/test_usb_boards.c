@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "pair.h"
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 #include "usb_host.h"
 
 #define BATCHES 3

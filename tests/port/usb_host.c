@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 
 /* Steps for what no test has work enough for. */
 #define STEPS_FOR_EVER 1000000

@@ -11,7 +11,7 @@
 #include "gloss_regs.h"
 #include "port_access.h"
 #include "port_core.h"
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 
 struct UsbJob {
 	uint32_t sequence, room;

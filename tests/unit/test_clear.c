@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The stream that makes board memory zero, on the model. */
-#include "clear.h"
+#include "transport/usb/zero.h"
 #include "model_test.h"
 
 #define DIRT 0xa5

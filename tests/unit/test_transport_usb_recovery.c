@@ -4,7 +4,7 @@
 #include <poll.h>
 #include <sched.h>
 
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 #include "usb_test.h"
 
 #define NS_PER_MS 1000000ll

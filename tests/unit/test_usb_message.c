@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The parser of what a board on USB sends, alone: right words in any pieces, and wrong ones. */
 #include "accel_test.h"
-#include "usb_checksum.h"
-#include "usb_message.h"
+#include "transport/usb/checksum.h"
+#include "transport/usb/message.h"
 
 #define JOBS 6
 #define ROOM 1400u

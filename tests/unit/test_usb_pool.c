@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "usb_pool.h"
+#include "transport/usb/pool.h"
 
 #define KEPT_WORDS ((size_t)8 << 20)
 #define KEPT_BUFFERS 64

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "gloss_packets.h"
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 #include "vboard_peer.h"
 #include "vboard_usb.h"
 

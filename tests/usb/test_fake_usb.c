@@ -6,7 +6,7 @@
 
 #include "accel_test.h"
 #include "fake_usb.h"
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 
 #define NONCE 0x1234567
 #define TRANSFER_BYTES 4096

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "usb_checksum.h"
+#include "transport/usb/checksum.h"
 
 #define REG(port, name) PORT_REG(&(port)->base, name)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /*
  * "usb:": a board on a cable, through libusb. The library has it for itself, hands out its memory
- * and clears that with jobs of its own; usb_link.h has the jobs.
+ * and clears that with jobs of its own; link.h has the jobs.
  */
 #include <errno.h>
 #include <stdbool.h>
@@ -9,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clear.h"
+#include "transport/usb/zero.h"
 #include "gloss_regs.h"
 #include "transport/range.h"
-#include "usb_checksum.h"
-#include "usb_link.h"
-#include "usb_node.h"
+#include "transport/usb/checksum.h"
+#include "transport/usb/link.h"
+#include "transport/usb/node.h"
 
 #define MEMORY_PAGES_MAX (1u << 20)
 #define ATTEMPTS 3			/* to submit a job */

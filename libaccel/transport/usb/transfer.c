@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "usb_link_priv.h"
+#include "transport/usb/link_priv.h"
 
 #define PAUSE_NS 1000000
 

@@ -3,7 +3,7 @@
 #include <errno.h>
 
 #include "gloss_regs.h"
-#include "usb_link_priv.h"
+#include "transport/usb/link_priv.h"
 
 #define ATTEMPTS 4
 

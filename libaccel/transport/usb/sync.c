@@ -5,7 +5,7 @@
 #include <time.h>
 
 #include "gloss_regs.h"
-#include "usb_link_priv.h"
+#include "transport/usb/link_priv.h"
 
 #define ATTEMPTS 3
 #define RESET_MS 2000

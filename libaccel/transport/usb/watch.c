@@ -3,7 +3,7 @@
 #include <errno.h>
 
 #include "gloss_regs.h"
-#include "usb_link_priv.h"
+#include "transport/usb/link_priv.h"
 
 /* So often, so far apart, nothing may be seen to move. Looks are counted, not time, because a
  * machine that was stopped meanwhile has not looked. */

@@ -3,7 +3,7 @@
 #ifndef ACCEL_USB_LINK_PRIV_H
 #define ACCEL_USB_LINK_PRIV_H
 
-#include "usb_link.h"
+#include "transport/usb/link.h"
 
 /* In flight at once. OUT has no memory of its own, so it may be deeper, for small jobs. Transfers
  * are long, for each has its price. */
@@ -95,7 +95,7 @@ struct accel_usb_link {
 	struct accel_usb_job *answering;	/* the first not answered */
 };
 
-/* usb_transfer.c. All but accel_usb_transfers_handle are called with the lock held. */
+/* transfer.c. All but accel_usb_transfers_handle are called with the lock held. */
 /* -ENOMEM: and some are there. */
 int accel_usb_transfers_init(struct accel_usb_link *link);
 void accel_usb_transfers_fini(struct accel_usb_link *link);
@@ -114,24 +114,24 @@ void accel_usb_transfers_cancel(struct accel_usb_link *link);
 /* Lets callbacks come, at most for a time. */
 void accel_usb_transfers_handle(struct accel_usb_link *link, int ms);
 
-/* usb_link.c, with the lock held. */
+/* link.c, with the lock held. */
 /* The link has failed, as the jobs are to be told (-EIO, -ENOMEM), or is gone (-ENODEV). */
 void accel_usb_link_break(struct accel_usb_link *link, int err);
 /* All of the job was sent, or answered. */
 void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job);
 
-/* usb_watch.c, with the lock held, which it gives up while it asks the board. Breaks a link
+/* watch.c, with the lock held, which it gives up while it asks the board. Breaks a link
  * that stands still; milliseconds until it is to be called again, 0: when there is a job. */
 int accel_usb_link_watch(struct accel_usb_link *link);
 
-/* usb_sync.c, without the lock. */
+/* sync.c, without the lock. */
 /* Ends what is in flight. False: that can not be done, so what it uses must stay for ever. */
 bool accel_usb_link_drain(struct accel_usb_link *link);
 /* Resets the board and finds the beginning of IN; the link is starting still. -EIO, -ENODEV,
  * -ENOMEM. */
 int accel_usb_link_sync(struct accel_usb_link *link);
 
-/* usb_clocks.c, in the thread, without the lock. */
+/* clocks.c, in the thread, without the lock. */
 /* Adds what was counted since the last time, if the board says. */
 void accel_usb_clocks_keep(struct accel_usb_link *link);
 /* They begin again. */

@@ -11,9 +11,9 @@
 #include <pthread.h>
 
 #include "transport/job_table.h"
-#include "usb_message.h"
-#include "usb_node.h"
-#include "usb_pool.h"
+#include "transport/usb/message.h"
+#include "transport/usb/node.h"
+#include "transport/usb/pool.h"
 
 struct accel_usb_job {
 	struct accel_job_entry entry;	/* first; the board has the lower half of its sequence */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stdlib.h>
 
-#include "usb_pool.h"
+#include "transport/usb/pool.h"
 
 /* What is kept unused at most: the messages of a few large frames, or many small ones. */
 #define UNUSED_WORDS ((size_t)8 << 20)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <string.h>
 
-#include "usb_checksum.h"
-#include "usb_message.h"
+#include "transport/usb/checksum.h"
+#include "transport/usb/message.h"
 
 /* Bits of a completion's first word that are zero. */
 #define COMPLETION_ZERO 0x0000fff0u

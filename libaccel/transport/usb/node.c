@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "gloss_regs.h"
-#include "usb_node.h"
+#include "transport/usb/node.h"
 
 #define REQUEST_MS 1000
 

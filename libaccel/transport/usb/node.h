@@ -6,7 +6,7 @@
 #include <libusb.h>
 #include <stdbool.h>
 
-#include "usb_where.h"
+#include "transport/usb/where.h"
 
 /* What a program that gets no memory from the kernel's USB can do about it. */
 #define USB_NO_MEMORY "the kernel has no memory for USB transfers, of which " \

@@ -6,7 +6,7 @@
 
 #include "gloss_regs.h"
 #include "transport/thread.h"
-#include "usb_link_priv.h"
+#include "transport/usb/link_priv.h"
 
 #define NS_PER_MS 1000000
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "gloss_regs.h"
-#include "usb_where.h"
+#include "transport/usb/where.h"
 
 #define PORTS_MAX 7			/* hubs behind one another, as USB allows */
 

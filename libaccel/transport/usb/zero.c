@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "clear.h"
+#include "transport/usb/zero.h"
 
 #include "gloss_packets.h"
 
