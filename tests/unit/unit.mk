@@ -56,8 +56,8 @@ USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_
 	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
 	test_transport_usb_out_of_memory test_process test_errors
 $(BUILD)/tests/unit/test_transport_usb_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
-ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
-UNIT_TESTS += test_usb_message test_usb_pool test_clear $(USB_UNIT_TESTS)
+ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_usb_zero $(USB_UNIT_TESTS)
+UNIT_TESTS += test_usb_message test_usb_pool test_usb_zero $(USB_UNIT_TESTS)
 endif
 
 # Plugins without a core: one that is right, and some that are wrong in one thing each.

@@ -187,7 +187,7 @@ static struct usb_object **usb_object_find(struct transport_usb *transport, uint
 static int transport_usb_memory_new(void *state, uint64_t size, uint64_t *object)
 {
 	struct transport_usb *transport = state;
-	uint64_t tile_bytes = accel_clear_tile_bytes(transport->info.tile_size);
+	uint64_t tile_bytes = accel_usb_zero_tile_bytes(transport->info.tile_size);
 	uint64_t tiles = (size + tile_bytes - 1) / tile_bytes;
 	struct usb_object *new;
 	int err;
@@ -280,11 +280,11 @@ static int usb_clear_queue(struct transport_usb *transport, struct usb_object *o
 	uint32_t tile_size = transport->info.tile_size, *words;
 	const struct gloss_slot_entry slot = {
 		.base = (uint32_t)object->base,
-		.size = object->tiles * accel_clear_tile_bytes(tile_size),
+		.size = object->tiles * accel_usb_zero_tile_bytes(tile_size),
 		.rights = GLOSS_RIGHTS_WRITE,
 	};
 	const struct accel_transport_job from = {
-		.stream_words = accel_clear_words(object->tiles),
+		.stream_words = accel_usb_zero_words(object->tiles),
 		.slots = 1,
 	};
 	struct accel_usb_job *job = usb_job_new(transport, &from, &words);
@@ -294,7 +294,7 @@ static int usb_clear_queue(struct transport_usb *transport, struct usb_object *o
 		return -ENOMEM;
 	job->must = true;
 	gloss_slot_entry_pack(words, &slot);
-	accel_clear_pack(words + GLOSS_SLOT_ENTRY_WORDS, tile_size, object->tiles);
+	accel_usb_zero_pack(words + GLOSS_SLOT_ENTRY_WORDS, tile_size, object->tiles);
 	usb_job_finish(job);
 	err = accel_usb_link_submit(transport->link, job, losses, &object->clearing);
 	if (err)

@@ -3,11 +3,11 @@
 
 #include "gloss_packets.h"
 
-_Static_assert(ACCEL_CLEAR_START_WORDS == 1 + GLOSS_COLOUR_SURFACE_WORDS, "start of the stream");
-_Static_assert(ACCEL_CLEAR_TILE_WORDS == 2 + GLOSS_TILE_BEGIN_WORDS + GLOSS_TILE_END_WORDS,
+_Static_assert(USB_ZERO_START_WORDS == 1 + GLOSS_COLOUR_SURFACE_WORDS, "start of the stream");
+_Static_assert(USB_ZERO_TILE_WORDS == 2 + GLOSS_TILE_BEGIN_WORDS + GLOSS_TILE_END_WORDS,
 	       "a tile of the stream");
 
-void accel_clear_pack(uint32_t *words, uint32_t tile_size, uint32_t tiles)
+void accel_usb_zero_pack(uint32_t *words, uint32_t tile_size, uint32_t tiles)
 {
 	const struct gloss_colour_surface surface = { .slot = 0, .pitch = tile_size * 4 };
 	const struct gloss_tile_begin begin = { .colour = 0 };
@@ -20,6 +20,6 @@ void accel_clear_pack(uint32_t *words, uint32_t tile_size, uint32_t tiles)
 		words += 1 + GLOSS_TILE_BEGIN_WORDS;
 		gloss_tile_end_pack(words, &end);
 		words += 1 + GLOSS_TILE_END_WORDS;
-		end.colour += accel_clear_tile_bytes(tile_size);
+		end.colour += accel_usb_zero_tile_bytes(tile_size);
 	}
 }

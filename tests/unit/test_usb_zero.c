@@ -7,10 +7,10 @@
 
 static void clear_tiles(struct model_test *t, uint32_t tile_size, uint32_t base, uint32_t tiles)
 {
-	t->job.stream_words = accel_clear_words(tiles);
+	t->job.stream_words = accel_usb_zero_words(tiles);
 	assert_true(t->job.stream_words <= MODEL_TEST_WORDS);
-	accel_clear_pack(t->words, tile_size, tiles);
-	set_slot(t, 0, base, tiles * accel_clear_tile_bytes(tile_size), GLOSS_RIGHTS_WRITE);
+	accel_usb_zero_pack(t->words, tile_size, tiles);
+	set_slot(t, 0, base, tiles * accel_usb_zero_tile_bytes(tile_size), GLOSS_RIGHTS_WRITE);
 	assert_int_equal(model_run(&t->model, &t->job, &t->status), 0);
 	assert_int_equal(t->status.cause, GLOSS_FAULT_NONE);
 	assert_int_equal(t->status.response_words, 0);
@@ -19,7 +19,7 @@ static void clear_tiles(struct model_test *t, uint32_t tile_size, uint32_t base,
 static void check_cleared(uint32_t tile_size, uint32_t base, uint32_t tiles)
 {
 	struct model_test *t = model_test_new((int)tile_size);
-	uint32_t end = base + tiles * accel_clear_tile_bytes(tile_size);
+	uint32_t end = base + tiles * accel_usb_zero_tile_bytes(tile_size);
 
 	memset(t->memory, DIRT, sizeof(t->memory));
 	clear_tiles(t, tile_size, base, tiles);
@@ -34,7 +34,7 @@ static void the_slot_is_zero_and_nothing_else(void **state)
 {
 	(void)state;
 	for (uint32_t tile_size = 32; tile_size <= 64; tile_size *= 2) {
-		uint32_t bytes = accel_clear_tile_bytes(tile_size);
+		uint32_t bytes = accel_usb_zero_tile_bytes(tile_size);
 
 		check_cleared(tile_size, 0, 1);
 		check_cleared(tile_size, 4096, 1);
