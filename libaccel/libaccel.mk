@@ -79,7 +79,7 @@ lib: $(BUILD)/libaccel.so $(BUILD)/libaccel.a ## build the library alone: takes 
 
 ALL += lib
 
-include libaccel/sim.mk
+include libaccel/sim/sim.mk
 
 # The directories are written into the file that pkg-config reads.
 .PHONY: install-lib

@@ -24,7 +24,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "../job.h"
+#include "job.h"
 
 #define MODEL_TILE_MAX 64
 

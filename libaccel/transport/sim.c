@@ -12,7 +12,7 @@
 
 #include "transport/engine.h"
 #include "transport/option.h"
-#include "sim.h"
+#include "sim/sim.h"
 
 /* How many times what a packet should take at most before the job counts as hung: a memory
  * that stalls nearly always is in it. */

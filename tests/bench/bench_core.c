@@ -13,7 +13,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "sim.h"
+#include "sim/sim.h"
 
 #define TILE 64
 #define MEMORY (1u << 22)

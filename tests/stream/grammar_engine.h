@@ -7,7 +7,7 @@
 #define TESTS_STREAM_GRAMMAR_ENGINE_H
 
 #include "grammar.h"
-#include "sim.h"
+#include "sim/sim.h"
 #include "usb_host.h"
 
 /* Words behind the most room there is; none of them may be touched. */

@@ -18,7 +18,7 @@
 
 #include "decode.h"
 #include "model/model.h"
-#include "sim.h"
+#include "sim/sim.h"
 #include "stream_random.h"
 
 #define GROUP 12

@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-#include "sim.h"
+#include "sim/sim.h"
 
 #ifndef FAKE_ABI
 #define FAKE_ABI GLOSS_SIM_ABI

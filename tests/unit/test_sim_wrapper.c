@@ -3,7 +3,7 @@
 #include <dlfcn.h>
 
 #include "accel_test.h"
-#include "sim.h"
+#include "sim/sim.h"
 
 #define LIMIT 100000u
 #define SIZE 8192u

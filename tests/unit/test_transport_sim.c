@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "accel_test.h"
-#include "sim.h"
+#include "sim/sim.h"
 
 static struct messages messages;
 

@@ -68,7 +68,7 @@ fake_flags_t64-k2 := -DFAKE_LANES=2 -DFAKE_ABI=GLOSS_SIM_ABI+1
 fake_flags_t64-k4 := -DFAKE_LANES=4 -DFAKE_VERSION=GLOSS_VERSION+1
 fake_flags_t32-k2 := -UFAKE_SYMBOL -DFAKE_SYMBOL=gloss_simulator
 fake_flags_t32-k4 := -c
-$(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/fake_sim.c libaccel/sim.h
+$(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/fake_sim.c libaccel/sim/sim.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -fPIC -shared -DFAKE_SYMBOL=gloss_sim $(fake_flags_$*) $< -o $@
 run-test_transport_sim: $(FAKE_SIMS)

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "board.h"
-#include "sim_port.h"
+#include "sim/sim_port.h"
 
 template <class Core, unsigned Bits>
 class BoardHost

@@ -12,8 +12,8 @@
 #include <cstdlib>
 
 #include "gloss_regs.h"
-#include "sim_memory.h"
-#include "sim_port.h"
+#include "sim/sim_memory.h"
+#include "sim/sim_port.h"
 #include "verilated.h"
 
 template <class Board, unsigned Lanes>

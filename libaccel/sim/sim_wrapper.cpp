@@ -9,9 +9,9 @@
 #include <new>
 
 #include "Vgloss_core.h"
-#include "sim.h"
-#include "sim_memory.h"
-#include "sim_port.h"
+#include "sim/sim.h"
+#include "sim/sim_memory.h"
+#include "sim/sim_port.h"
 #include "verilated.h"
 
 struct gloss_sim {

@@ -12,7 +12,7 @@
 #include <deque>
 #include <vector>
 
-#include "sim_port.h"
+#include "sim/sim_port.h"
 
 template <class Core, unsigned Lanes>
 class SimMemory

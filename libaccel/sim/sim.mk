@@ -12,8 +12,8 @@ sim_lanes = $(patsubst k%,%,$(word 2,$(subst -, ,$(1))))
 sim_stream = $(or $(patsubst s%,%,$(word 3,$(subst -, ,$(1)))),$(patsubst \
 	$(sim_lanes):%,%,$(filter $(sim_lanes):%,$(SIM_STREAM_BITS))))
 
-SIM_WRAPPER := $(addprefix libaccel/, sim_wrapper.cpp sim_memory.h sim_port.h sim.h sim.map job.h \
-	gloss_packets.h)
+SIM_WRAPPER := $(addprefix libaccel/sim/, sim_wrapper.cpp sim_memory.h sim_port.h sim.h sim.map) \
+	libaccel/job.h libaccel/gloss_packets.h
 SIM_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) \
 	-DSIM_TILE=$(call sim_tile,$*) -DSIM_LANES=$(call sim_lanes,$*) \
 	-DSIM_STREAM_BITS=$(call sim_stream,$*)
@@ -27,8 +27,8 @@ define sim_plugin
 		-GTileSize=$(call sim_tile,$*) -GPixelsPerClock=$(call sim_lanes,$*) \
 		-GStreamBits=$(call sim_stream,$*) --Mdir $(@D)/$* \
 		-MAKEFLAGS 'OPT_FAST="$(CXXFLAGS)"' -CFLAGS '$(SIM_CXXFLAGS)' \
-		-LDFLAGS '-shared -Wl,--version-script=$(abspath libaccel/sim.map)' \
-		$(1) $(abspath libaccel/sim_wrapper.cpp) -o $(abspath $@) \
+		-LDFLAGS '-shared -Wl,--version-script=$(abspath libaccel/sim/sim.map)' \
+		$(1) $(abspath libaccel/sim/sim_wrapper.cpp) -o $(abspath $@) \
 		>$(@D)/$*/log 2>&1 || { cat $(@D)/$*/log; exit 1; }
 endef
 
