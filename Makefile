@@ -45,7 +45,7 @@ LINT_C     :=
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-include tools/tools.mk
+include tools/hwgen/hwgen.mk
 include libaccel/model/model.mk
 include libaccel/draw/draw.mk
 include libaccel/libaccel.mk

@@ -3,7 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 #define COLUMNS 110
 

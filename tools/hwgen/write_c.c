@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 #define COLUMNS 100
 

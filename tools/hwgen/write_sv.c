@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* Writes the part of the SystemVerilog package that the interface decides. */
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 static void write_constants(FILE *out, const struct hw_interface *hw)
 {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 const struct hw_field *hw_field_at(const struct hw_record *record, unsigned int word,
 				   unsigned int bit)

@@ -4,7 +4,7 @@
  * and indices where the packers have structs. What both headers define is the same to the letter,
  * so that one file may include both.
  */
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 struct writer {
 	FILE *out;

@@ -2,7 +2,7 @@
 /* Writes the interface as data for gloss-decode; the types are in tools/table.h. */
 #include <string.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 static void write_enum(FILE *out, const struct hw_enum *e)
 {

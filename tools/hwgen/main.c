@@ -8,7 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 #include "output.h"
 
 static const char usage[] =

@@ -2,7 +2,7 @@
 # hwgen and what it makes, gloss-decode, and their tests; gloss-info is in info.mk.
 
 HWGEN := $(BUILD)/hwgen
-HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen*.c)))
+HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen/*.c)))
 # Files that appear whole or not at all; gloss-view writes its pictures with it too.
 OUTPUT_OBJECT := $(BUILD)/tools/output.o
 # Boards that open, or a line that says why not.
@@ -13,7 +13,7 @@ $(HWGEN_OBJECTS) $(OUTPUT_OBJECT) $(DEVICE_OBJECT) $(DECODE_OBJECTS) \
 		$(BUILD)/tools/gloss-decode.o: $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Itools $(CFLAGS) -MMD -MP -c -o $@ $<
 
 $(HWGEN): $(HWGEN_OBJECTS) $(OUTPUT_OBJECT)
 	$(call quiet,LD,$@)

@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 struct name {
 	struct name *next;

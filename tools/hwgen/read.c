@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "hwgen.h"
+#include "hwgen/hwgen.h"
 
 #define DEPTH_MAX	8
 #define ATTRIBUTES_MAX	8

@@ -2,17 +2,17 @@
 /*
  * hwgen: from rtl/gloss.xml to everything that has to agree with it.
  *
- *   hwgen_read.c    XML to the structs below; attributes, numbers, nesting
- *   hwgen_check.c   what a grammar can not say: references, overlaps, ranges
- *   hwgen_names.c   every identifier that will be written: keywords, clashes
- *   hwgen_words.c   the keywords
- *   hwgen_c.c       C packers and unpackers
- *   hwgen_regs.c    C offsets and masks of the port, for the kernel too
- *   hwgen_sv.c      SystemVerilog constants and packed structs
- *   hwgen_table.c   the decoder's table
- *   hwgen_doc.c     the manual
- *   hwgen_text.c    wrapping of doc text, for all of them
- *   hwgen.c         arguments and files
+ *   read.c           XML to the structs below; attributes, numbers, nesting
+ *   check.c          what a grammar can not say: references, overlaps, ranges
+ *   names.c          every identifier that will be written: keywords, clashes
+ *   words.c          the keywords
+ *   write_c.c        C packers and unpackers
+ *   write_regs.c     C offsets and masks of the port, for the kernel too
+ *   write_sv.c       SystemVerilog constants and packed structs
+ *   write_table.c    the decoder's table
+ *   write_manual.c   the manual
+ *   text.c           wrapping of doc text, for all of them
+ *   main.c           arguments and files
  *
  * The first thing wrong ends the program: hw_fail names file and line.
  */
