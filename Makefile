@@ -46,6 +46,7 @@ LINT_C     :=
 .SECONDARY:
 
 include tools/hwgen/hwgen.mk
+include tools/decode/decode.mk
 include libaccel/model/model.mk
 include libaccel/draw/draw.mk
 include libaccel/libaccel.mk

@@ -11,6 +11,6 @@ UNIT_TESTS += $(DRAW_UNIT_TESTS)
 
 $(BUILD)/tests/unit/test_draw_out_of_memory: UNIT_LDFLAGS := -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=free
-$(BUILD)/tests/unit/test_draw: $(BUILD)/tools/decode.o $(BUILD)/tools/decode_print.o
-$(BUILD)/tests/unit/test_draw: UNIT_LDFLAGS := $(BUILD)/tools/decode.o \
-	$(BUILD)/tools/decode_print.o -Wl,--wrap=accel_stream_submit
+$(BUILD)/tests/unit/test_draw: $(DECODE_OBJECTS)
+$(BUILD)/tests/unit/test_draw: ACCEL_CFLAGS += -Itools
+$(BUILD)/tests/unit/test_draw: UNIT_LDFLAGS := $(DECODE_OBJECTS) -Wl,--wrap=accel_stream_submit

@@ -6,12 +6,12 @@ FUZZ_RUNS    ?= 60000
 FUZZ_CC      ?= clang
 FUZZ_CFLAGS  := -g -O1 -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined \
 	-fno-sanitize-recover=all
-FUZZ_SOURCES := tests/fuzz/fuzz_stream.c tools/decode.c tools/decode_print.c $(MODEL_SOURCES)
+FUZZ_SOURCES := tests/fuzz/fuzz_stream.c tools/decode/decode.c tools/decode/print.c $(MODEL_SOURCES)
 FUZZ_PROGRAMS := $(BUILD)/fuzz/fuzz_stream $(BUILD)/fuzz/fuzz_corpus
 FUZZ_FLAGS   = -max_len=4096 -timeout=$$((100 * $${GLOSS_SLOW:-1})) -error_exitcode=1 -print_final_stats=0 \
 	-artifact_prefix=$(BUILD)/fuzz/
 
-$(BUILD)/fuzz/fuzz_stream: $(FUZZ_SOURCES) tests/fuzz/fuzz_input.h tools/gloss_table.h \
+$(BUILD)/fuzz/fuzz_stream: $(FUZZ_SOURCES) tests/fuzz/fuzz_input.h tools/decode/gloss_table.h \
 		$(wildcard libaccel/model/*.h)
 	$(call quiet,CC,$@)
 	@mkdir -p $(@D)

@@ -3,7 +3,7 @@
 #ifndef SMALL_TABLE_H
 #define SMALL_TABLE_H
 
-#include "table.h"
+#include "decode/table.h"
 
 static const struct table_value table_values_colour[] = {
 	{ 0, "red" },

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "gloss_table.h"
+#include "decode/gloss_table.h"
 
 #define PACKETS (sizeof(table_packets) / sizeof(*table_packets))
 

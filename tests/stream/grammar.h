@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A second generator of random jobs, which shares nothing with stream_random.h: it walks the
- * packets of rtl/gloss.xml (tools/gloss_table.h), so what is new there is in its jobs the day it is
+ * packets of rtl/gloss.xml (tools/decode/gloss_table.h), so what is new there is in its jobs the day it is
  * there. Values are drawn at the ends of each field; what only the prose of gloss.xml says
  * (alignment, order, rights, room) is in grammar_sense.c.
  *
@@ -16,7 +16,7 @@
 #include <stdint.h>
 
 #include "job.h"
-#include "table.h"
+#include "decode/table.h"
 
 #define GRAMMAR_WORDS	 8192
 #define GRAMMAR_RECORDS	 2048

@@ -4,7 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "decode.h"
+#include "decode/decode.h"
 
 static const char *const kind_names[GRAMMAR_KINDS] = { "sound", "wild", "damaged", "opcode",
 						       "reserved" };

@@ -5,9 +5,9 @@
 STREAM_GROUPS ?= 200
 STREAM_SOURCES := $(addprefix tests/stream/, \
 	test_stream.c stream_random.c stream_random_triangle.c stream_random_damage.c) \
-	tools/decode.c tools/decode_print.c
+	tools/decode/decode.c tools/decode/print.c
 
-$(BUILD)/tests/stream/test_stream: $(STREAM_SOURCES) tests/stream/stream_random.h tools/decode.h \
+$(BUILD)/tests/stream/test_stream: $(STREAM_SOURCES) tests/stream/stream_random.h tools/decode/decode.h \
 		$(MODEL_OBJS)
 	$(call quiet,CC,$@)
 	$(Q)mkdir -p $(@D)
@@ -42,11 +42,11 @@ CHECKS += stream-first stream-second stream-ports
 # make check has what reaches every packet, opcode and reserved bit on a core, and some of it on a board.
 GRAMMAR_JOBS  ?= 50000
 GRAMMAR_SOURCES := $(addprefix tests/stream/, test_grammar.c grammar.c grammar_sense.c \
-	grammar_damage.c grammar_coverage.c grammar_engine.c) tools/decode.c tools/decode_print.c
+	grammar_damage.c grammar_coverage.c grammar_engine.c) tools/decode/decode.c tools/decode/print.c
 GRAMMAR_OBJECTS := $(USB_HOST_OBJ) $(BOARD_USB_MODEL_OBJECTS) $(MODEL_OBJS)
 
 $(BUILD)/tests/stream/test_grammar: $(GRAMMAR_SOURCES) $(wildcard tests/stream/grammar*.h) \
-		tools/decode.h tools/table.h tools/gloss_table.h $(GRAMMAR_OBJECTS)
+		tools/decode/decode.h tools/decode/table.h tools/decode/gloss_table.h $(GRAMMAR_OBJECTS)
 	$(call quiet,CC,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Idriver -Itools -Itools/vboard -Itests/stream -Itests/port \

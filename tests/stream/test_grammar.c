@@ -14,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "decode.h"
+#include "decode/decode.h"
 #include "grammar_coverage.h"
 #include "grammar_engine.h"
 #include "model/model.h"

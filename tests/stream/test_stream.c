@@ -16,7 +16,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "decode.h"
+#include "decode/decode.h"
 #include "model/model.h"
 #include "sim/sim.h"
 #include "stream_random.h"

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "decode.h"
+#include "decode/decode.h"
 #include "model/model.h"
 
 #define STREAM_MAX	4096

@@ -2,7 +2,7 @@
 /* The draw calls: what they take, refuse, and put on the target. */
 #include <limits.h>
 
-#include "../../tools/decode.h"
+#include "decode/decode.h"
 #include "draw_mesh.h"
 
 #define SIDE 96

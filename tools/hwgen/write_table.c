@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* Writes the interface as data for gloss-decode; the types are in tools/table.h. */
+/* Writes the interface as data for gloss-decode; the types are in tools/decode/table.h. */
 #include <string.h>
 
 #include "hwgen/hwgen.h"
@@ -117,7 +117,7 @@ void hw_write_table(FILE *out, const struct hw_interface *hw)
 	fprintf(out,
 		"/* SPDX-License-Identifier: MIT */\n"
 		"/* Generated from rtl/%s.xml by tools/hwgen; do not edit. */\n"
-		"#ifndef %s_TABLE_H\n#define %s_TABLE_H\n\n#include \"table.h\"\n\n",
+		"#ifndef %s_TABLE_H\n#define %s_TABLE_H\n\n#include \"decode/table.h\"\n\n",
 		hw->name, upper, upper);
 	for (const struct hw_enum *e = hw->enums; e; e = e->next) {
 		if (is_used(hw, e))

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "decode.h"
+#include "decode/decode.h"
 
 enum { EXIT_GOOD, EXIT_BROKEN, EXIT_USAGE };
 

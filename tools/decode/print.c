@@ -3,7 +3,7 @@
 #include <ctype.h>
 #include <inttypes.h>
 
-#include "decode.h"
+#include "decode/decode.h"
 
 #define DATA_WORDS 8	/* a line of words without names */
 

@@ -4,8 +4,8 @@
 #include <inttypes.h>
 #include <stdarg.h>
 
-#include "decode.h"
-#include "gloss_table.h"
+#include "decode/decode.h"
+#include "decode/gloss_table.h"
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 

@@ -3,7 +3,7 @@
 #ifndef GLOSS_TABLE_H
 #define GLOSS_TABLE_H
 
-#include "table.h"
+#include "decode/table.h"
 
 static const struct table_value table_values_fault[] = {
 	{ 0, "none" },

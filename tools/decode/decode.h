@@ -14,7 +14,7 @@
 #include <stdio.h>
 
 #include "gloss_packets.h"
-#include "table.h"
+#include "decode/table.h"
 
 /* Words that hold any packet. */
 #define DECODE_PACKET_MAX (GLOSS_LENGTH_MAX + 1)
@@ -57,7 +57,7 @@ const char *decode_fault_name(enum gloss_fault fault);
 /* "fault NAME at word N: reason", for a packet with a fault. */
 void decode_print_fault(FILE *out, const struct decode_packet *packet);
 
-/* ---- between decode.c and decode_print.c ---- */
+/* ---- between decode.c and print.c ---- */
 
 /* Words of a packet whose fields are in one record. */
 struct decode_run {
