@@ -51,7 +51,7 @@ include libaccel/model/model.mk
 include libaccel/draw/draw.mk
 include libaccel/libaccel.mk
 include tools/view.mk
-include tools/info.mk
+include tools/info/info.mk
 include rtl/raster/raster.mk
 include rtl/command/command.mk
 include rtl/tile/tile.mk

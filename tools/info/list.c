@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "info.h"
+#include "info/info.h"
 
 void info_list_add(void *data, const char *name, const char *line)
 {

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 
 #include "gloss_packets.h"
-#include "info.h"
+#include "info/info.h"
 
 static void put_string(FILE *file, const char *text)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "device.h"
-#include "info.h"
+#include "info/info.h"
 
 #ifndef GLOSS_RELEASE
 #define GLOSS_RELEASE "0.1"

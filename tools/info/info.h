@@ -32,15 +32,15 @@ struct info_board {
 	struct accel_device_clocks clocks;
 };
 
-/* info_list.c. An accel_device_list_fn, @data a struct info_list that is zero at first. */
+/* list.c. An accel_device_list_fn, @data a struct info_list that is zero at first. */
 void info_list_add(void *data, const char *name, const char *line);
 void info_list_free(struct info_list *list);
 
-/* info_print.c */
+/* print.c */
 void info_print_list(FILE *file, const struct info_list *list);
 void info_print_board(FILE *file, const struct info_board *board);
 
-/* info_json.c */
+/* json.c */
 void info_json_list(FILE *file, const struct info_list *list);
 void info_json_board(FILE *file, const struct info_board *board);
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "gloss_packets.h"
-#include "info.h"
+#include "info/info.h"
 
 static bool printable(char letter)
 {

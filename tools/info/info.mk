@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 # gloss-info, its tests, and the udev rule that lets users have USB boards.
 
-INFO_PARTS := $(addprefix $(BUILD)/tools/, info_list.o info_print.o info_json.o)
-INFO_OBJECTS := $(BUILD)/tools/gloss-info.o $(INFO_PARTS)
+INFO_PARTS := $(addprefix $(BUILD)/tools/info/, list.o print.o json.o)
+INFO_OBJECTS := $(BUILD)/tools/info/main.o $(INFO_PARTS)
 
 $(INFO_OBJECTS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Itools $(CFLAGS) -MMD -MP -c -o $@ $<
 
-$(BUILD)/tools/gloss-info.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
+$(BUILD)/tools/info/main.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
 
 $(BUILD)/gloss-info: $(INFO_OBJECTS) $(DEVICE_OBJECT) $(BUILD)/libaccel.a
 	$(call quiet,LD,$@)
@@ -21,7 +21,7 @@ $(BUILD)/gloss-info: $(INFO_OBJECTS) $(DEVICE_OBJECT) $(BUILD)/libaccel.a
 install-info: $(BUILD)/gloss-info
 	$(call quiet,INSTALL,gloss-info)
 	$(Q)install -D -m 755 $(BUILD)/gloss-info $(DESTDIR)$(PREFIX)/bin/gloss-info
-	$(Q)install -D -m 644 tools/gloss-info.1 $(DESTDIR)$(PREFIX)/share/man/man1/gloss-info.1
+	$(Q)install -D -m 644 tools/info/gloss-info.1 $(DESTDIR)$(PREFIX)/share/man/man1/gloss-info.1
 
 # udev reads PREFIX/lib/udev/rules.d of /usr and /usr/local.
 install-udev: tools/udev/60-gloss.rules
