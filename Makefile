@@ -45,6 +45,7 @@ LINT_C     :=
 .DELETE_ON_ERROR:
 .SECONDARY:
 
+include tools/scene/scene.mk
 include tools/hwgen/hwgen.mk
 include tools/decode/decode.mk
 include libaccel/model/model.mk

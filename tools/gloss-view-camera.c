@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "gloss-view.h"
-#include "matrix.h"
+#include "scene/matrix.h"
 
 /* The picture's half over the mesh's, so that it does not touch the border. */
 #define ROOM 1.06f

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "gloss-view.h"
-#include "quality.h"
+#include "scene/quality.h"
 
 #define WHITE 0xffffffffu
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "device.h"
+#include "scene/device.h"
 #include "gloss-view.h"
 
 /* Light from everywhere on what has colours; materials have a reflectance of their own for it. */

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "gloss-view.h"
-#include "output.h"
+#include "scene/output.h"
 
 /* Draws one picture, and writes it if it is wanted. */
 static int draw_one(struct view *view)

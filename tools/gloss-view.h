@@ -7,10 +7,10 @@
 #ifndef TOOLS_GLOSS_VIEW_H
 #define TOOLS_GLOSS_VIEW_H
 
-#include "mesh.h"
-#include "phong.h"
-#include "picture.h"
-#include "scene.h"
+#include "scene/mesh.h"
+#include "scene/phong.h"
+#include "scene/picture.h"
+#include "scene/scene.h"
 
 enum { VIEW_OK, VIEW_FAILED, VIEW_USAGE };	/* exit status */
 

@@ -1,21 +1,13 @@
 # SPDX-License-Identifier: MIT
-# gloss-view, what it is made of, and the programs that measure pictures with the same parts.
+# gloss-view.
 
-SCENE_SOURCES := $(addprefix tools/, matrix.c mesh.c mesh_build.c mesh_child.c mesh_file.c \
-	mesh_import.c mesh_part.c mesh_place.c mesh_shape.c phong.c phong_fill.c picture.c picture_text.c quality.c scene.c)
 VIEW_SOURCES := $(addprefix tools/gloss-view, -camera.c -compare.c -draw.c -light.c -material.c \
 	-number.c -options.c -progress.c -stats.c -turntable.c -window.c)
 
-SCENE_PARTS := $(SCENE_SOURCES:%.c=$(BUILD)/%.o)
-SCENE_OBJS := $(SCENE_PARTS) $(OUTPUT_OBJECT) $(DEVICE_OBJECT)
 VIEW_OBJS := $(VIEW_SOURCES:%.c=$(BUILD)/%.o)
 VIEW_MAIN := $(BUILD)/tools/gloss-view.o
 
-VIEW_PACKAGES := assimp libpng sdl2
-VIEW_CFLAGS := $$(pkg-config --cflags $(VIEW_PACKAGES)) -D_GNU_SOURCE -Itools
-SCENE_LIBS := -lassimp -lpng $(ACCEL_LIBS)
-
-$(SCENE_PARTS) $(VIEW_OBJS) $(VIEW_MAIN): $(BUILD)/%.o: %.c
+$(VIEW_OBJS) $(VIEW_MAIN): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -c $< -o $@
@@ -25,7 +17,7 @@ $(BUILD)/gloss-view: $(VIEW_MAIN) $(VIEW_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(SCENE_LIBS) $$(pkg-config --libs sdl2) -o $@
 
--include $(SCENE_PARTS:.o=.d) $(VIEW_OBJS:.o=.d) $(VIEW_MAIN:.o=.d)
+-include $(VIEW_OBJS:.o=.d) $(VIEW_MAIN:.o=.d)
 
 $(BUILD)/tools/gloss-view-options.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
 

@@ -18,7 +18,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 #define ROUNDS 3
 #define WIDTH 500			/* of a torus of 4 * WIDTH * WIDTH triangles */

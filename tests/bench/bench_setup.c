@@ -14,9 +14,9 @@
 #include <time.h>
 
 #include "gloss_packets.h"
-#include "matrix.h"
-#include "mesh.h"
-#include "scene.h"
+#include "scene/matrix.h"
+#include "scene/mesh.h"
+#include "scene/scene.h"
 
 #define SIZE 480
 #define SECONDS 1.5

@@ -2,7 +2,7 @@
 /*
  * bench_shade MESH...
  *
- * How fast the C model shades by second-order surfaces, and per-pixel Phong in C (tools/phong.h),
+ * How fast the C model shades by second-order surfaces, and per-pixel Phong in C (tools/scene/phong.h),
  * both built with the same flags, on the same pixels. Two comparisons:
  *
  *   pixels  what the model does with the packed stream: checking it, edges, shading, depth test,
@@ -20,9 +20,9 @@
 #include <string.h>
 #include <time.h>
 
-#include "matrix.h"
-#include "mesh.h"
-#include "phong.h"
+#include "scene/matrix.h"
+#include "scene/mesh.h"
+#include "scene/phong.h"
 
 #define WIDTH 640
 #define HEIGHT 480

@@ -11,10 +11,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "matrix.h"
-#include "mesh.h"
-#include "picture.h"
-#include "scene.h"
+#include "scene/matrix.h"
+#include "scene/mesh.h"
+#include "scene/picture.h"
+#include "scene/scene.h"
 
 #define WIDTH 100
 #define HEIGHT 76

@@ -14,9 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "matrix.h"
-#include "mesh.h"
-#include "quality.h"
+#include "scene/matrix.h"
+#include "scene/mesh.h"
+#include "scene/quality.h"
 
 #define LIMIT 2.5e-4
 #define SIZE 512			/* pixels of the picture; the mesh is 480 high or wide */

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 static inline double dot(const float a[3], const float b[3])
 {

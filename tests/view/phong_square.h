@@ -13,9 +13,9 @@
 
 #include <cmocka.h>
 
-#include "matrix.h"
-#include "mesh.h"
-#include "phong.h"
+#include "scene/matrix.h"
+#include "scene/mesh.h"
+#include "scene/phong.h"
 
 #define SIZE 64
 

@@ -15,7 +15,7 @@
 
 #include <cmocka.h>
 
-#include "mesh_child.h"
+#include "scene/mesh_child.h"
 
 static const struct mesh_options options = { .crease = MESH_CREASE };
 static struct child_limits limits;

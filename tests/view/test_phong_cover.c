@@ -3,7 +3,7 @@
 #include <time.h>
 
 #include "phong_square.h"
-#include "quality.h"
+#include "scene/quality.h"
 
 #define SNAP 16
 

@@ -14,8 +14,8 @@
 
 #include <cmocka.h>
 
-#include "output.h"
-#include "picture.h"
+#include "scene/output.h"
+#include "scene/picture.h"
 
 /* Each test has a directory of its own, which is to be empty afterwards: it is removed as such. */
 static int setup(void **state)

@@ -3,12 +3,8 @@
 
 HWGEN := $(BUILD)/hwgen
 HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen/*.c)))
-# Files that appear whole or not at all; gloss-view writes its pictures with it too.
-OUTPUT_OBJECT := $(BUILD)/tools/output.o
-# Boards that open, or a line that says why not.
-DEVICE_OBJECT := $(BUILD)/tools/device.o
 
-$(HWGEN_OBJECTS) $(OUTPUT_OBJECT) $(DEVICE_OBJECT): $(BUILD)/%.o: %.c
+$(HWGEN_OBJECTS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -Itools $(CFLAGS) -MMD -MP -c -o $@ $<
@@ -17,7 +13,7 @@ $(HWGEN): $(HWGEN_OBJECTS) $(OUTPUT_OBJECT)
 	$(call quiet,LD,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lexpat
 
--include $(HWGEN_OBJECTS:.o=.d) $(OUTPUT_OBJECT:.o=.d) $(DEVICE_OBJECT:.o=.d)
+-include $(HWGEN_OBJECTS:.o=.d)
 
 .PHONY: generate check-generated
 generate: $(HWGEN) ## rewrite what is made from rtl/gloss.xml

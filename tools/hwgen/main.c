@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 
 #include "hwgen/hwgen.h"
-#include "output.h"
+#include "scene/output.h"
 
 static const char usage[] =
 	"usage: hwgen [--c FILE] [--regs FILE] [--sv FILE] [--table FILE] [--manual FILE]\n"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "device.h"
+#include "scene/device.h"
 #include "info/info.h"
 
 #ifndef GLOSS_RELEASE

@@ -12,7 +12,7 @@
 #ifndef TOOLS_PHONG_H
 #define TOOLS_PHONG_H
 
-#include "scene.h"
+#include "scene/scene.h"
 
 struct phong_frame {
 	int width, height;

@@ -2,7 +2,7 @@
 #include <ctype.h>
 #include <stddef.h>
 
-#include "picture.h"
+#include "scene/picture.h"
 
 struct glyph {
 	char character;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <string.h>
 
-#include "matrix.h"
-#include "scene.h"
+#include "scene/matrix.h"
+#include "scene/scene.h"
 
 static void grey(float rgba[4], float value)
 {

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "output.h"
+#include "scene/output.h"
 
 /* What the signal handler removes. */
 static char unfinished[PATH_MAX];

@@ -2,7 +2,7 @@
 #ifndef TOOLS_PHONG_PRIV_H
 #define TOOLS_PHONG_PRIV_H
 
-#include "phong.h"
+#include "scene/phong.h"
 
 struct phong_vertex {
 	float eye[3], normal[3];

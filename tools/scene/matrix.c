@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "matrix.h"
+#include "scene/matrix.h"
 
 #define RADIANS(degrees) ((degrees) * (3.14159265358979f / 180))
 

@@ -2,7 +2,7 @@
 #ifndef TOOLS_MESH_IMPORT_H
 #define TOOLS_MESH_IMPORT_H
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 /*
  * Reads @path with assimp, in this process: a damaged file may crash it (mesh_child.h). As

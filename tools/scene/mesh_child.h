@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 struct child_limits {
 	uint64_t memory;		/* bytes of address space */

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh_part.h"
+#include "scene/mesh_part.h"
 
 /* Of 20 triangles one may have normals on the wrong side: slivers do, in good meshes. */
 #define WRONG_IN 20

@@ -7,8 +7,8 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "output.h"
-#include "picture.h"
+#include "scene/output.h"
+#include "scene/picture.h"
 
 #define OPAQUE 0xff000000u
 

@@ -3,7 +3,7 @@
 #ifndef TOOLS_MESH_PLACE_H
 #define TOOLS_MESH_PLACE_H
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 /*
  * A place is known by the number of the first vertex there. Corner 3 * t + i is vertex i of

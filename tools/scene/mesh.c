@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
-#include "quality.h"
+#include "scene/quality.h"
 
 #define DEPTH_CLEAR 0xffffffu
 

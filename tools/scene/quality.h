@@ -3,7 +3,7 @@
 #ifndef TOOLS_QUALITY_H
 #define TOOLS_QUALITY_H
 
-#include "phong.h"
+#include "scene/phong.h"
 
 /* Sums, so that pictures can be taken together. */
 struct quality {

@@ -5,7 +5,7 @@
 
 #include <assimp/scene.h>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 /* Of all parts together. */
 struct part_total {

@@ -10,8 +10,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "mesh_import.h"
-#include "mesh_part.h"
+#include "scene/mesh_import.h"
+#include "scene/mesh_part.h"
 
 #define FORMATS "give an OBJ, PLY, 3DS, glTF or STL file"
 #define REASON 200			/* as much of assimp's as fits a message */

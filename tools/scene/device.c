@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "device.h"
+#include "scene/device.h"
 
 static char library_message[512];
 

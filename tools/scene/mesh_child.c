@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "mesh_child.h"
+#include "scene/mesh_child.h"
 
 /* The libraries alone take hundreds of megabytes of addresses. */
 #define MEMORY_MIN (UINT64_C(1) << 30)

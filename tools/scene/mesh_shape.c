@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh.h"
+#include "scene/mesh.h"
 
 #define SPHERE_LEVELS 7
 #define TORUS_RING 0.65

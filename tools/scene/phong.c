@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "matrix.h"
-#include "phong_priv.h"
+#include "scene/matrix.h"
+#include "scene/phong_priv.h"
 
 int phong_frame_new(const struct scene *scene, bool light, struct phong_frame *frame)
 {

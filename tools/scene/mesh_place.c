@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh_place.h"
+#include "scene/mesh_place.h"
 
 #define EMPTY UINT32_MAX
 /* So many vertices ahead the table is asked for, which is larger than any cache. */

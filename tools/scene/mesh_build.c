@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mesh.h"
-#include "mesh_place.h"
+#include "scene/mesh.h"
+#include "scene/mesh_place.h"
 
 /* How many of a place's vertices a corner is compared with, so that a fan of a million ends. */
 #define COMPARED 32

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "mesh_child.h"
-#include "mesh_import.h"
+#include "scene/mesh_child.h"
+#include "scene/mesh_import.h"
 
 static int refuse(char message[MESH_MESSAGE], int error, const char *what, const char *where,
 		  const char *hint)

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "phong_priv.h"
+#include "scene/phong_priv.h"
 
 #define SNAP 16				/* steps a pixel */
 /* Keeps products of two coordinates in 64 bits. */
