@@ -51,7 +51,7 @@ include tools/decode/decode.mk
 include libaccel/model/model.mk
 include libaccel/draw/draw.mk
 include libaccel/libaccel.mk
-include tools/view.mk
+include tools/view/view.mk
 include tools/info/info.mk
 include rtl/raster/raster.mk
 include rtl/command/command.mk

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "../../tools/gloss-view-camera.c"
+#include "view/camera.c"
 
 /* A box around (1, 2, 3), 8 wide, 6 high, 2 deep. */
 static float corners[8][3];

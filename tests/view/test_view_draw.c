@@ -14,7 +14,7 @@
 static const int real_size_max = ACCEL_TARGET_SIZE_MAX;
 #undef ACCEL_TARGET_SIZE_MAX
 #define ACCEL_TARGET_SIZE_MAX 64
-#include "../../tools/gloss-view-draw.c"
+#include "view/draw.c"
 
 static void open_view(struct view *view, struct view_options *options, char *size)
 {

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "../../tools/gloss-view-progress.c"
+#include "view/progress.c"
 
 static int terminal, before;
 

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../../tools/gloss-view-window.c"
+#include "view/window.c"
 
 static struct view_options options;
 static struct view view;

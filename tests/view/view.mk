@@ -25,7 +25,7 @@ $(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(S
 # With the rest of the viewer.
 define viewer_test
 $(BUILD)/tests/view/test_view_$(1): $$(VIEW_OBJS)
-$(BUILD)/tests/view/test_view_$(1): view_objs = $$(filter-out %-$(1).o,$$(VIEW_OBJS))
+$(BUILD)/tests/view/test_view_$(1): view_objs = $$(filter-out %/$(1).o,$$(VIEW_OBJS))
 endef
 $(foreach part,draw progress window,$(eval $(call viewer_test,$(part))))
 

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 /* The classic OpenGL materials, and a few with wide highlights to try shading with. */
 static const struct named_material {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <string.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 #define FAR 1e6f
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 #define DEGREES_A_PIXEL 0.4f
 #define ZOOM_A_STEP 1.1f

@@ -4,7 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 #define BAR 30
 #define INTERVAL 0.1			/* seconds between lines */

@@ -61,32 +61,32 @@ struct view {
 	uint64_t clocks;		/* of the last frame, 0: not known */
 };
 
-/* gloss-view-options.c: VIEW_OK or VIEW_USAGE, after a message. */
+/* options.c: VIEW_OK or VIEW_USAGE, after a message. */
 int view_options_parse(struct view_options *options, int argc, char **argv);
 /* Prints "gloss-view: what: where: hint". */
 void view_error(const char *what, const char *where, const char *hint);
 
-/* gloss-view-material.c */
+/* material.c */
 const struct accel_material *view_material_find(const char *name);
 /* All names in one line. */
 const char *view_material_names(void);
 
-/* gloss-view-light.c: KIND:X,Y,Z[:SETTING=VALUE]... */
+/* light.c: KIND:X,Y,Z[:SETTING=VALUE]... */
 bool view_light_parse(const char *text, struct accel_light *light);
 
-/* gloss-view-number.c: false for anything but the number, finite and in range. */
+/* number.c: false for anything but the number, finite and in range. */
 bool view_number(const char *text, float low, float high, float *value);
 /* Exactly @count numbers with commas between. */
 bool view_numbers(const char *text, int count, float low, float high, float *value);
 /* "#rrggbb", "R,G,B" or "GREY", 0 to 1; sets alpha to 1. */
 bool view_colour(const char *text, float rgba[4]);
 
-/* gloss-view-camera.c: places the eye so that the mesh fits the picture; also while it turns. */
+/* camera.c: places the eye so that the mesh fits the picture; also while it turns. */
 void view_camera_frame(struct view *view);
 /* Sets the scene's matrices and lights; @turn degrees more about y. */
 void view_camera_set(struct view *view, float turn);
 
-/* gloss-view-draw.c: 0, or VIEW_FAILED after a message. */
+/* draw.c: 0, or VIEW_FAILED after a message. */
 int view_open(struct view *view, const struct view_options *options);
 void view_close(struct view *view);
 /*
@@ -100,15 +100,15 @@ void view_set_sides(struct view *view, bool two_sided);
 int view_write(const struct picture *picture, const char *path);
 const char *view_shading_name(enum accel_shading shading);
 
-/* gloss-view-stats.c */
+/* stats.c */
 void view_stats_print(const struct view *view);
 
-/* gloss-view-compare.c, -turntable.c, -window.c: VIEW_OK, or VIEW_FAILED after a message. */
+/* compare.c, turntable.c, window.c: VIEW_OK, or VIEW_FAILED after a message. */
 int view_compare(struct view *view, const char *path);
 int view_turntable(struct view *view);
 int view_window(struct view *view);
 
-/* gloss-view-progress.c: a line on stderr, if that is a terminal. */
+/* progress.c: a line on stderr, if that is a terminal. */
 struct waiting {
 	const char *what;
 	double start;			/* seconds */

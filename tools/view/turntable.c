@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 /* "dir/name.png" and 7 to "dir/name-0007.png". */
 static char *numbered(const char *path, int number)

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 #include "scene/quality.h"
 
 #define WHITE 0xffffffffu

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stdio.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 #include "scene/output.h"
 
 /* Draws one picture, and writes it if it is wanted. */

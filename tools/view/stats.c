@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 void view_stats_print(const struct view *view)
 {

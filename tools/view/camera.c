@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 #include "scene/matrix.h"
 
 /* The picture's half over the mesh's, so that it does not touch the border. */

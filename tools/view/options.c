@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 #ifndef GLOSS_RELEASE
 #define GLOSS_RELEASE "0.1"

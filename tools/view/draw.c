@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "scene/device.h"
-#include "gloss-view.h"
+#include "view/view.h"
 
 /* Light from everywhere on what has colours; materials have a reflectance of their own for it. */
 #define PAINTED_AMBIENT 0.2f

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gloss-view.h"
+#include "view/view.h"
 
 /* Reads a number; returns what follows it, NULL if there is none or it is out of range. */
 static const char *number(const char *text, float low, float high, float *value)
