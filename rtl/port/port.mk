@@ -8,7 +8,7 @@ BOARD_SOURCES = $(RTL_SOURCES) $(PORT_SOURCES) $(sort $(wildcard rtl/board/*.sv)
 
 BOARD_SIM := $(addprefix tools/vboard/,board_sim.h board.map) \
 	libaccel/sim/sim_memory.h libaccel/sim/sim_port.h driver/gloss_regs.h
-BOARD_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) -I$(abspath driver) \
+BOARD_CXXFLAGS = -std=c++17 -fPIC -I$(abspath libaccel) -I$(abspath driver) -I$(abspath tools) \
 	-DBOARD_TILE=$(call sim_tile,$*) -DBOARD_LANES=$(call sim_lanes,$*) \
 	-DBOARD_STREAM_BITS=$(call sim_stream,$*)
 

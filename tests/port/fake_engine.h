@@ -3,7 +3,7 @@
 #ifndef TESTS_FAKE_ENGINE_H
 #define TESTS_FAKE_ENGINE_H
 
-#include "port_base.h"
+#include "vboard/port/base.h"
 
 #define FAKE_STREAM_MAX 8192
 

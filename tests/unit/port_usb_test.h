@@ -5,7 +5,7 @@
 
 #include "accel_test.h"
 #include "fake_engine.h"
-#include "port_usb.h"
+#include "vboard/port/usb.h"
 #include "usb_host.h"
 
 #define R(name) GLOSS_REG_##name

@@ -3,7 +3,7 @@
 #include "accel_test.h"
 #include "fake_engine.h"
 #include "port_host.h"
-#include "port_pci.h"
+#include "vboard/port/pci.h"
 
 #define R(name) GLOSS_REG_##name
 #define MASK_ALL (R(INTERRUPT_MASK_DONE) | R(INTERRUPT_MASK_FAULT) | R(INTERRUPT_MASK_DMA))

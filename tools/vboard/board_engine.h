@@ -4,7 +4,7 @@
 #define VBOARD_BOARD_ENGINE_H
 
 #include "model/model.h"
-#include "port_base.h"
+#include "vboard/port/base.h"
 
 struct board_engine {
 	struct model model;

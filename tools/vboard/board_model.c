@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "board_engine.h"
-#include "port_pci.h"
+#include "vboard/port/pci.h"
 
 struct gloss_board {
 	struct port_pci port;

@@ -4,7 +4,7 @@
 
 #include "board_engine.h"
 #include "board_usb.h"
-#include "port_usb.h"
+#include "vboard/port/usb.h"
 
 struct gloss_usb_board {
 	struct port_usb port;

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/socket.h>
 
-#include "options.h"
+#include "vboard/options.h"
 #include "vboard_usb.h"
 
 /* Bytes that are received before the board works again. */

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "load.h"
+#include "vboard/load.h"
 #include "gloss_regs.h"
 
 /* The directory sim/ beside this program. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #define _GNU_SOURCE
-#include "loop.h"
+#include "vboard/loop.h"
 
 #include <errno.h>
 #include <poll.h>

@@ -7,7 +7,7 @@
 
 #include "transport/engine.h"
 #include "transport/option.h"
-#include "options.h"
+#include "vboard/options.h"
 
 #ifndef GLOSS_RELEASE
 #define GLOSS_RELEASE "0.1"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /* What vboard-pci takes. */
 #include "transport/option.h"
-#include "options.h"
+#include "vboard/options.h"
 #include "vboard.h"
 
 static const char usage[] =

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "transport/option.h"
-#include "options.h"
+#include "vboard/options.h"
 
 #define OPTIONS_TEXT_MAX 1024		/* characters of a board's options */
 

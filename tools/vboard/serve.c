@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #define _GNU_SOURCE
-#include "serve.h"
+#include "vboard/serve.h"
 
 #include <errno.h>
 #include <poll.h>

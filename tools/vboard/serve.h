@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#include "loop.h"
-#include "options.h"
+#include "vboard/loop.h"
+#include "vboard/options.h"
 
 /* Before any other thread: SIGINT and SIGTERM end vboard_serve_run(). False: says why not. */
 bool vboard_serve_init(void);

@@ -5,7 +5,7 @@
 
 #include "gloss_packets.h"
 #include "gloss_regs.h"
-#include "loop.h"
+#include "vboard/loop.h"
 
 #define NOISE_WORDS 16
 

@@ -4,9 +4,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "load.h"
-#include "options.h"
-#include "serve.h"
+#include "vboard/load.h"
+#include "vboard/options.h"
+#include "vboard/serve.h"
 #include "vboard_usb.h"
 
 static const struct vboard_load_bus bus = {

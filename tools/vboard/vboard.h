@@ -5,7 +5,7 @@
 
 #include "config.h"
 #include "faults.h"
-#include "loop.h"
+#include "vboard/loop.h"
 #include "memory.h"
 #include "qtest.h"
 

@@ -24,7 +24,7 @@ include $(wildcard tools/vboard/board.mk)
 $(VBOARD_ALL): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver $(CFLAGS) -pthread -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -pthread -MMD -MP -c $< -o $@
 
 $(BUILD)/tools/vboard/options.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
 $(BUILD)/tools/vboard/load.o: $(BUILD)/libaccel/sim_dir
@@ -50,7 +50,7 @@ $(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $
 		$(BOARD_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) $(UNIT_LDFLAGS) -lcmocka $(ACCEL_LIBS) -o $@
 
 VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_bridge
@@ -59,7 +59,7 @@ $(VBOARD_USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%
 		$(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) $(UNIT_LDFLAGS) -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS) -o $@
 
 # Tests of what is late have a clock of their own, and those of what is waited for wait for ever.

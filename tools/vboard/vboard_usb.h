@@ -5,7 +5,7 @@
 
 #include <usbredirparser.h>
 
-#include "loop.h"
+#include "vboard/loop.h"
 #include "usb_bridge.h"
 #include "usb_descriptors.h"
 #include "usb_faults.h"

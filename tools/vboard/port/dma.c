@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* Words to and from host memory, in one piece or in pages that a list names. */
-#include "port_dma.h"
+#include "vboard/port/dma.h"
 
 #include <endian.h>
 

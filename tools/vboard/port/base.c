@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "port_base.h"
+#include "vboard/port/base.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* The USB port: from words of OUT to words of IN. */
-#include "port_usb.h"
+#include "vboard/port/usb.h"
 
 #include <string.h>
 

@@ -4,8 +4,8 @@
 #define VBOARD_PORT_PCI_H
 
 #include "board.h"
-#include "port_base.h"
-#include "port_dma.h"
+#include "vboard/port/base.h"
+#include "vboard/port/dma.h"
 
 /* What the port is doing. */
 enum port_state {

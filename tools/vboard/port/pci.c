@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* The PCI port: from a doorbell to a completion. */
-#include "port_pci.h"
+#include "vboard/port/pci.h"
 
 #include <string.h>
 

@@ -6,7 +6,7 @@
 #ifndef VBOARD_PORT_USB_H
 #define VBOARD_PORT_USB_H
 
-#include "port_base.h"
+#include "vboard/port/base.h"
 
 #define PORT_USB_FIFO_WORDS 8192u	/* a power of 2 */
 #define PORT_USB_EVENTS 4u
