@@ -5,7 +5,7 @@
 FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/transport/transport.c \
 	libaccel/transport/job_table.c libaccel/transport/range.c libaccel/transport/thread.c
 FUZZ_USB_WORLD := $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
-	$(addprefix tools/vboard/,port/base.c board_engine.c port/usb.c board_usb_model.c)
+	$(addprefix tools/vboard/,board/engine.c board/usb_model.c port/base.c port/usb.c)
 FUZZ_USB_WORLD_OBJS := $(FUZZ_USB_WORLD:%.c=$(BUILD)/fuzz/world/%.o)
 FUZZ_USB_MESSAGE_SOURCES := tests/fuzz/fuzz_usb_message.c libaccel/transport/usb/message.c
 FUZZ_USB_HEADERS := $(wildcard tests/fuzz/*.h tests/usb/*.h tools/vboard/*.h tools/vboard/*/*.h libaccel/*.h \

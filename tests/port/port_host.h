@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "board.h"
+#include "vboard/board/board.h"
 #include "gloss_packets.h"
 #include "gloss_regs.h"
 #include "job.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /*
- * Two boards behind board_usb.h with the same OUT words, in pieces of their own: the same
+ * Two boards behind vboard/board/usb.h with the same OUT words, in pieces of their own: the same
  * words come on IN, with bursts that end at the same, the same events, and when nothing
  * moves any more, all registers and all of board memory are the same. So they are when the
  * host stops in the middle of a job, as far as rtl/gloss.xml says, when the channel is lost,

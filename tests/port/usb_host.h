@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "board_usb.h"
+#include "vboard/board/usb.h"
 #include "gloss_packets.h"
 #include "job.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Each fault does what the header says to a board that works, and no more. */
-#include "board.h"
+#include "vboard/board/board.h"
 #include "still_clock.h"
 #include "vboard_test.h"
 

@@ -22,7 +22,7 @@
 #include <stdint.h>
 #include <libusb.h>
 
-#include "board_usb.h"
+#include "vboard/board/usb.h"
 
 #define FAKE_USB_BOARDS 3
 #define FAKE_USB_ENDPOINTS 8

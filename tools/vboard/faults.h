@@ -7,7 +7,7 @@
 #ifndef VBOARD_FAULTS_H
 #define VBOARD_FAULTS_H
 
-#include "board.h"
+#include "vboard/board/board.h"
 
 /* Registers of the fault window, 32 bits each. */
 #define VBOARD_FAULT_IDENTITY		0x00	/* ro: VBOARD_FAULT_IDENTITY_VALUE */

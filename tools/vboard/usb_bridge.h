@@ -9,7 +9,7 @@
 #ifndef VBOARD_USB_BRIDGE_H
 #define VBOARD_USB_BRIDGE_H
 
-#include "board_usb.h"
+#include "vboard/board/usb.h"
 #include "usb_faults.h"
 
 #define VBOARD_USB_TRANSFER_MAX (16u << 20)	/* bytes */

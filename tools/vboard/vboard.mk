@@ -19,7 +19,7 @@ VBOARD_PROGRAMS += vboard-usb
 endif
 
 # The model of the port and the board (BOARD_MODEL_OBJECTS), and the Verilated board.
-include $(wildcard tools/vboard/board.mk)
+include $(wildcard tools/vboard/board/board.mk)
 
 $(VBOARD_ALL): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)

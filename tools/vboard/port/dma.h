@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "board.h"
+#include "vboard/board/board.h"
 
 struct port_dma {
 	const struct gloss_board_host *host;

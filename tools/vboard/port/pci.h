@@ -3,7 +3,7 @@
 #ifndef VBOARD_PORT_PCI_H
 #define VBOARD_PORT_PCI_H
 
-#include "board.h"
+#include "vboard/board/board.h"
 #include "vboard/port/base.h"
 #include "vboard/port/dma.h"
 

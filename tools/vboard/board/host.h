@@ -11,7 +11,7 @@
 #include <deque>
 #include <vector>
 
-#include "board.h"
+#include "vboard/board/board.h"
 #include "sim/sim_port.h"
 
 template <class Core, unsigned Bits>

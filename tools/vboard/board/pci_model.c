@@ -2,7 +2,7 @@
 /* A PCI board whose core is the C model. */
 #include <stdlib.h>
 
-#include "board_engine.h"
+#include "vboard/board/engine.h"
 #include "vboard/port/pci.h"
 
 struct gloss_board {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "board_engine.h"
+#include "vboard/board/engine.h"
 
 static bool board_begin(void *data, const struct gloss_job *job)
 {

@@ -7,9 +7,9 @@
 #include <new>
 
 #include "Vboard_pci.h"
-#include "board.h"
-#include "board_host.h"
-#include "board_sim.h"
+#include "vboard/board/board.h"
+#include "vboard/board/host.h"
+#include "vboard/board/sim.h"
 
 struct gloss_board : private BoardSim<Vboard_pci, BOARD_LANES> {
 public:

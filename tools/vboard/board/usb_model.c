@@ -2,8 +2,8 @@
 /* A USB board whose core is the C model. */
 #include <stdlib.h>
 
-#include "board_engine.h"
-#include "board_usb.h"
+#include "vboard/board/engine.h"
+#include "vboard/board/usb.h"
 #include "vboard/port/usb.h"
 
 struct gloss_usb_board {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /*
- * The plugin of board_usb.h: a Verilated board_usb and memory behind it. Each word that is
+ * The plugin of usb.h: a Verilated board_usb and memory behind it. Each word that is
  * taken or given is a clock of the board, and no word is between it and the caller.
  * BOARD_TILE and BOARD_LANES come from the build and are the parameters the board was
  * built with.
@@ -8,8 +8,8 @@
 #include <new>
 
 #include "Vboard_usb.h"
-#include "board_sim.h"
-#include "board_usb.h"
+#include "vboard/board/sim.h"
+#include "vboard/board/usb.h"
 
 struct gloss_usb_board : private BoardSim<Vboard_usb, BOARD_LANES> {
 public:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 # The C models of the ports, the boards that are made of them and the core's model, and their tests.
 
-BOARD_BASE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/,port/base.o board_engine.o)
+BOARD_BASE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/,port/base.o board/engine.o)
 BOARD_MODEL_OBJECTS := $(BOARD_BASE_OBJECTS) \
-	$(addprefix $(BUILD)/tools/vboard/,port/dma.o port/pci.o board_model.o)
+	$(addprefix $(BUILD)/tools/vboard/,port/dma.o port/pci.o board/pci_model.o)
 BOARD_USB_MODEL_OBJECTS := $(BOARD_BASE_OBJECTS) \
-	$(addprefix $(BUILD)/tools/vboard/,port/usb.o board_usb_model.o)
+	$(addprefix $(BUILD)/tools/vboard/,port/usb.o board/usb_model.o)
 BOARD_OBJECTS := $(sort $(BOARD_MODEL_OBJECTS) $(BOARD_USB_MODEL_OBJECTS))
 
 $(BOARD_OBJECTS): $(BUILD)/%.o: %.c
