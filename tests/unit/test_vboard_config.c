@@ -3,7 +3,7 @@
 #include <linux/pci_regs.h>
 
 #include "accel_test.h"
-#include "config.h"
+#include "vboard/pci/config.h"
 
 static struct vboard_config config;
 

@@ -7,8 +7,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "message.h"
-#include "vboard.h"
+#include "vboard/pci/message.h"
+#include "vboard/pci/vboard.h"
 #include "vboard_qtest.h"
 #include "vboard_test.h"
 

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "accel_test.h"
-#include "memory.h"
+#include "vboard/pci/memory.h"
 
 #define PAGE 4096u
 #define FILE_PAGES 8u

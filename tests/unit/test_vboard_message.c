@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "accel_test.h"
-#include "message.h"
+#include "vboard/pci/message.h"
 
 static int near, far;			/* ends of the socket; the far one is QEMU's */
 

@@ -3,7 +3,7 @@
 #define _GNU_SOURCE
 #include <pthread.h>
 
-#include "qtest.h"
+#include "vboard/pci/qtest.h"
 #include "vboard_qtest.h"
 
 static struct test_qtest qemu;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "accel_test.h"
-#include "faults.h"
+#include "vboard/pci/faults.h"
 #include "gloss_regs.h"
 
 #define TEST_HOST_BASE 0x100000000ull	/* of its memory on the bus: both words count */

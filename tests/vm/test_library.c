@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "accel.h"
-#include "faults.h"
+#include "vboard/pci/faults.h"
 #include "gloss_packets.h"
 #include "vm_board.h"
 #include "vm_test.h"

@@ -14,7 +14,7 @@
 
 #include <cmocka.h>
 
-#include "faults.h"
+#include "vboard/pci/faults.h"
 #include "gloss_node.h"
 #include "vm_board.h"
 #include "vm_test.h"

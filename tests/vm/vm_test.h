@@ -116,7 +116,7 @@ static inline void vm_expect_end(void)
 }
 
 /*
- * Maps the fault window (tools/vboard/faults.h) of the board whose sysfs directory variable
+ * Maps the fault window (tools/vboard/pci/faults.h) of the board whose sysfs directory variable
  * @board, GLOSS_PCI_RTL or GLOSS_PCI_MODEL, names. As root. Stays mapped until the program ends;
  * map it again after the board was removed and found again.
  */

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "faults.h"
+#include "vboard/pci/faults.h"
 #include "usb_descriptors.h"
 #include "usb_faults.h"
 

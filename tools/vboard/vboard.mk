@@ -2,12 +2,12 @@
 # The virtual boards: what stands in for a PCI board and for a USB board in a virtual machine.
 
 VBOARD_SERVE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/, load.o loop.o options.o serve.o)
-VBOARD_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, config.o door_pci.o \
-	faults.o memory.o message.o options_pci.o qtest.o)
+VBOARD_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/pci/, config.o door.o \
+	faults.o memory.o message.o options.o qtest.o)
 VBOARD_USB_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, door_usb.o \
 	options_usb.o usb_bridge.o usb_control.o usb_descriptors.o usb_faults.o usb_queue.o \
 	usb_refuse.o usb_transfers.o)
-VBOARD_MAIN := $(BUILD)/tools/vboard/vboard-pci.o
+VBOARD_MAIN := $(BUILD)/tools/vboard/pci/main.o
 VBOARD_USB_MAIN := $(BUILD)/tools/vboard/vboard-usb.o
 VBOARD_ALL := $(sort $(VBOARD_OBJECTS) $(VBOARD_USB_OBJECTS) $(VBOARD_MAIN) $(VBOARD_USB_MAIN))
 VBOARD_USB_LIBS := -lusbredirparser
@@ -89,7 +89,7 @@ install-vboard: $(VBOARD_PROGRAMS:%=$(BUILD)/%) $(VBOARD_PLUGINS)
 	$(call quiet,INSTALL,$(VBOARD_PROGRAMS))
 	$(Q)for program in $(VBOARD_PROGRAMS); do \
 		install -D -m 755 $(BUILD)/$$program $(DESTDIR)$(PREFIX)/bin/$$program && \
-		install -D -m 644 tools/vboard/$$program.1 \
+		install -D -m 644 tools/vboard/$${program#vboard-}/$$program.1 \
 			$(DESTDIR)$(PREFIX)/share/man/man1/$$program.1 || exit 1; \
 	done
 	$(Q)install -D -m 755 -t $(DESTDIR)$(LIBDIR)/gloss $(VBOARD_PLUGINS)

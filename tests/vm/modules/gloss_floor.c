@@ -13,7 +13,7 @@
 #include <linux/pci.h>
 #include <linux/sched.h>
 
-/* The fault window's, from tools/vboard/faults.h. */
+/* The fault window's, from tools/vboard/pci/faults.h. */
 #define FLOOR_BAR	1
 #define FLOOR_DOORBELL	0x18
 

@@ -2,7 +2,7 @@
 /*
  * A PCI board without its plug: registers, DMA and an interrupt, on the C model
  * (pci_model.c) or on the Verilated port and core (pci_rtl.cpp, a plugin with the
- * one symbol gloss_board). A door (door_pci.c) puts it in front of a host.
+ * one symbol gloss_board). A door (vboard/pci/door.c) puts it in front of a host.
  *
  * Calls of one board come from one thread at a time, and it calls its host only from
  * inside them.

@@ -8,7 +8,7 @@
 #include "vboard/load.h"
 #include "vboard/options.h"
 #include "vboard/serve.h"
-#include "vboard.h"
+#include "vboard/pci/vboard.h"
 
 static const struct vboard_load_bus bus = {
 	.plugin = "accel-board",

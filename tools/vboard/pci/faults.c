@@ -2,7 +2,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "faults.h"
+#include "vboard/pci/faults.h"
 #include "gloss_regs.h"
 
 #define COMPLETION_BYTES (4u * GLOSS_COMPLETION_WORDS)

@@ -5,7 +5,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-#include "memory.h"
+#include "vboard/pci/memory.h"
 
 /* A file that is shorter than its mapping would kill this process, not the host. */
 static int memory_check(uint64_t address, uint64_t bytes, int file, uint64_t offset)

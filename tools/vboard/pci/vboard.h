@@ -3,11 +3,11 @@
 #ifndef VBOARD_VBOARD_H
 #define VBOARD_VBOARD_H
 
-#include "config.h"
-#include "faults.h"
+#include "vboard/pci/config.h"
+#include "vboard/pci/faults.h"
 #include "vboard/loop.h"
-#include "memory.h"
-#include "qtest.h"
+#include "vboard/pci/memory.h"
+#include "vboard/pci/qtest.h"
 
 #define VBOARD_NO_SLOT UINT32_MAX
 
@@ -32,7 +32,7 @@ struct vboard {
 	uint64_t interrupts;
 };
 
-/* ---- door_pci.c: the board's side of its PCI slot ---- */
+/* ---- door.c: the board's side of its PCI slot ---- */
 
 /* What a board asks of its host. */
 struct vboard_faults_door vboard_door_pci_host(struct vboard *vboard);

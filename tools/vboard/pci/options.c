@@ -2,7 +2,7 @@
 /* What vboard-pci takes. */
 #include "transport/option.h"
 #include "vboard/options.h"
-#include "vboard.h"
+#include "vboard/pci/vboard.h"
 
 static const char usage[] =
 	"usage: vboard-pci [--qtest PATH] [--verbose] --board ENGINE,fd=N[,OPTION=N]... ...\n"

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "message.h"
-#include "vboard.h"
+#include "vboard/pci/message.h"
+#include "vboard/pci/vboard.h"
 
 /* ---- what the board asks ---- */
 

@@ -2,7 +2,7 @@
 #include <linux/pci_regs.h>
 #include <string.h>
 
-#include "config.h"
+#include "vboard/pci/config.h"
 
 #define CAPABILITY_MSI 0x40
 #define CLASS_PROCESSING_ACCELERATOR 0x120000

@@ -5,7 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "message.h"
+#include "vboard/pci/message.h"
 
 struct header {
 	int32_t command;

@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "qtest.h"
+#include "vboard/pci/qtest.h"
 
 #define RETRY_MS 20
 /* A QEMU that takes longer to answer waits for us. */
