@@ -30,7 +30,7 @@ words=$(grep -v '^#' $rule | tr , '\n' | wc -l)
 [ "$words" -eq 9 ] || fail "$words words, not those 9"
 
 # What the library and the virtual board call the rule and the board.
-for text in "60-gloss.rules:libaccel/transport/usb/node.c" "Gloss board:tools/vboard/usb_descriptors.c"; do
+for text in "60-gloss.rules:libaccel/transport/usb/node.c" "Gloss board:tools/vboard/usb/descriptors.c"; do
 	grep -qF "${text%%:*}" "${text#*:}" || fail "no '${text%%:*}' in ${text#*:}"
 done
 # systemd-logind gives rights to tags that are set before its rule 73.

@@ -49,7 +49,7 @@ $(BUILD)/tests/stream/test_grammar: $(GRAMMAR_SOURCES) $(wildcard tests/stream/g
 		tools/decode/decode.h tools/decode/table.h tools/decode/gloss_table.h $(GRAMMAR_OBJECTS)
 	$(call quiet,CC,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Idriver -Itools -Itools/vboard -Itests/stream -Itests/port \
+	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Idriver -Itools -Itests/stream -Itests/port \
 		$(GRAMMAR_SOURCES) $(GRAMMAR_OBJECTS) -ldl -o $@
 
 GRAMMAR_RUN = $< -o $(BUILD)/tests/stream/failed-$@.bin

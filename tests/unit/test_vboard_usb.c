@@ -7,7 +7,7 @@
 #include "gloss_packets.h"
 #include "transport/usb/checksum.h"
 #include "vboard_peer.h"
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 #define NONCE 0x12345
 

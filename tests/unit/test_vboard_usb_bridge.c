@@ -5,7 +5,7 @@
  */
 #include "accel_test.h"
 #include "still_clock.h"
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 #define WORDS 4096u			/* that the board holds */
 #define PACKET 512u

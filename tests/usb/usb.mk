@@ -6,7 +6,7 @@ FAKE_USB_SOURCES := $(addprefix tests/usb/, fake_usb.c fake_usb_bridge.c fake_us
 	fake_usb_clock.c fake_usb_descriptor.c fake_usb_device.c fake_usb_handle.c fake_usb_sync.c \
 	fake_usb_transfer.c)
 FAKE_USB_OBJS := $(FAKE_USB_SOURCES:%.c=$(BUILD)/%.o) $(BOARD_USB_MODEL_OBJECTS)
-FAKE_USB_CFLAGS := $(USB_CFLAGS) -Itools -Itools/vboard -Itests/usb -Itests/unit -Itests/stream
+FAKE_USB_CFLAGS := $(USB_CFLAGS) -Itools -Itests/usb -Itests/unit -Itests/stream
 FAKE_USB_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, clock_gettime pthread_cond_timedwait \
 	pthread_cond_clockwait nanosleep usleep)
 

@@ -13,7 +13,7 @@
 #include "accel.h"
 #include "gloss_packets.h"
 #include "usb_cable.h"
-#include "usb_faults.h"
+#include "vboard/usb/faults.h"
 #include "vm_test.h"
 
 enum {

@@ -4,7 +4,7 @@
 #include <libusb.h>
 
 #include "gloss_regs.h"
-#include "usb_faults.h"
+#include "vboard/usb/faults.h"
 #include "vm_test.h"
 
 enum {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What can go wrong with a virtual USB board (tools/vboard/usb_faults.h), for tests in the virtual
+ * What can go wrong with a virtual USB board (tools/vboard/usb/faults.h), for tests in the virtual
  * machine: beside whoever has the board. The functions end the program where they fail.
  */
 #ifndef USB_CABLE_H

@@ -16,7 +16,7 @@ VM_NEEDS :=
 
 -include $(sort $(filter-out tests/vm/vm.mk,$(wildcard tests/vm/*.mk)))
 
-VM_CFLAGS = -Idriver -Ilibaccel -Itools -Itools/vboard $(DRM_CFLAGS) $(USB_CFLAGS)
+VM_CFLAGS = -Idriver -Ilibaccel -Itools $(DRM_CFLAGS) $(USB_CFLAGS)
 VM_LIBS   = -lcmocka $(ACCEL_LIBS)
 
 # What a program needs besides, objects or archives, is a prerequisite of its own:

@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 #include "vboard/pci/faults.h"
-#include "usb_descriptors.h"
-#include "usb_faults.h"
+#include "vboard/usb/descriptors.h"
+#include "vboard/usb/faults.h"
 
 #define VBOARD_BOARDS 8
 #define VBOARD_OPTIONS 24		/* of a board, at most */

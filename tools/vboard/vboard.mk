@@ -4,11 +4,10 @@
 VBOARD_SERVE_OBJECTS := $(addprefix $(BUILD)/tools/vboard/, load.o loop.o options.o serve.o)
 VBOARD_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/pci/, config.o door.o \
 	faults.o memory.o message.o options.o qtest.o)
-VBOARD_USB_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/, door_usb.o \
-	options_usb.o usb_bridge.o usb_control.o usb_descriptors.o usb_faults.o usb_queue.o \
-	usb_refuse.o usb_transfers.o)
+VBOARD_USB_OBJECTS := $(VBOARD_SERVE_OBJECTS) $(addprefix $(BUILD)/tools/vboard/usb/, door.o \
+	options.o bridge.o control.o descriptors.o faults.o queue.o refuse.o transfers.o)
 VBOARD_MAIN := $(BUILD)/tools/vboard/pci/main.o
-VBOARD_USB_MAIN := $(BUILD)/tools/vboard/vboard-usb.o
+VBOARD_USB_MAIN := $(BUILD)/tools/vboard/usb/main.o
 VBOARD_ALL := $(sort $(VBOARD_OBJECTS) $(VBOARD_USB_OBJECTS) $(VBOARD_MAIN) $(VBOARD_USB_MAIN))
 VBOARD_USB_LIBS := -lusbredirparser
 
@@ -24,7 +23,7 @@ include $(wildcard tools/vboard/board/board.mk)
 $(VBOARD_ALL): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -pthread -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools $(CFLAGS) -pthread -MMD -MP -c $< -o $@
 
 $(BUILD)/tools/vboard/options.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
 $(BUILD)/tools/vboard/load.o: $(BUILD)/libaccel/sim_dir
@@ -50,7 +49,7 @@ $(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $
 		$(BOARD_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) $(UNIT_LDFLAGS) -lcmocka $(ACCEL_LIBS) -o $@
 
 VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_bridge
@@ -59,7 +58,7 @@ $(VBOARD_USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%
 		$(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) $(UNIT_LDFLAGS) -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS) -o $@
 
 # Tests of what is late have a clock of their own, and those of what is waited for wait for ever.

@@ -11,7 +11,7 @@ BOARD_OBJECTS := $(sort $(BOARD_MODEL_OBJECTS) $(BOARD_USB_MODEL_OBJECTS))
 $(BOARD_OBJECTS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard $(CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools $(CFLAGS) -MMD -MP -c $< -o $@
 
 -include $(BOARD_OBJECTS:.o=.d)
 
@@ -24,7 +24,7 @@ PORT_TEST_OBJS := $(PORT_HOST_OBJ) $(USB_HOST_OBJ) $(FAKE_ENGINE_OBJ)
 $(PAIR_OBJ) $(PORT_TEST_OBJS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard -Itests/stream $(CFLAGS) -MMD -MP \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/stream $(CFLAGS) -MMD -MP \
 		-c $< -o $@
 
 -include $(PAIR_OBJ:.o=.d) $(PORT_TEST_OBJS:.o=.d)
@@ -36,7 +36,7 @@ $(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%
 		$(PORT_TEST_OBJS) $(BOARD_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard -Itests/port -Itests/stream $(CFLAGS) \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/port -Itests/stream $(CFLAGS) \
 		-MMD -MP -MF $@.d $(filter-out %.h,$^) -lcmocka -o $@
 
 UNIT_TESTS += $(BOARD_UNIT_TESTS)
@@ -57,7 +57,7 @@ BOARD_TESTS := $(addprefix $(BUILD)/tests/port/,test_boards test_usb_boards)
 $(BOARD_TESTS): $(BUILD)/%: %.c $(PAIR_OBJ) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itools/vboard -Itests/stream $(CFLAGS) -MMD -MP \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/stream $(CFLAGS) -MMD -MP \
 		-MF $@.d $(filter-out %.h,$^) -ldl -o $@
 
 -include $(BOARD_TESTS:=.d)

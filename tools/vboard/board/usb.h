@@ -2,7 +2,7 @@
 /*
  * A USB board behind its bridge: registers, a channel of words each way and events, on the
  * C model (usb_model.c) or on the Verilated port and core (usb_rtl.cpp, a plugin
- * with the one symbol gloss_usb_board). A door (door_usb.c) is the bridge, and the cable.
+ * with the one symbol gloss_usb_board). A door (vboard/usb/door.c) is the bridge, and the cable.
  *
  * Calls of one board come from one thread at a time. It never calls back: who has a board
  * offers it words, takes those it has, and lets it work, until none of that moves anything.

@@ -10,7 +10,7 @@
 #define VBOARD_USB_BRIDGE_H
 
 #include "vboard/board/usb.h"
-#include "usb_faults.h"
+#include "vboard/usb/faults.h"
 
 #define VBOARD_USB_TRANSFER_MAX (16u << 20)	/* bytes */
 #define VBOARD_USB_TRANSFERS 1024u		/* that wait, of an endpoint */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* What usbredir's parser wants to be there for transfers that a USB board does not have. */
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 static void refuse_tell_iso(struct vboard_usb *usb, uint64_t id, uint8_t endpoint)
 {

@@ -6,7 +6,7 @@
 #include <sys/socket.h>
 
 #include "vboard/options.h"
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 /* Bytes that are received before the board works again. */
 #define SERVE_BYTES (4u << 20)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb_descriptors.h"
+#include "vboard/usb/descriptors.h"
 
 #include <linux/usb/ch9.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include "vboard/load.h"
 #include "vboard/options.h"
 #include "vboard/serve.h"
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 static const struct vboard_load_bus bus = {
 	.plugin = "accel-usb",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb_bridge.h"
+#include "vboard/usb/bridge.h"
 
 #include <stdlib.h>
 #include <string.h>

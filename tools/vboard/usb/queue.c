@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <stdlib.h>
 
-#include "usb_bridge.h"
+#include "vboard/usb/bridge.h"
 
 void vboard_usb_queue_init(struct vboard_usb_queue *queue)
 {

@@ -6,9 +6,9 @@
 #include <usbredirparser.h>
 
 #include "vboard/loop.h"
-#include "usb_bridge.h"
-#include "usb_descriptors.h"
-#include "usb_faults.h"
+#include "vboard/usb/bridge.h"
+#include "vboard/usb/descriptors.h"
+#include "vboard/usb/faults.h"
 
 #define VBOARD_USB_READ_BYTES 4096u
 
@@ -41,7 +41,7 @@ struct vboard_usb {
 	uint64_t events;
 };
 
-/* ---- usb_control.c: the control endpoint ---- */
+/* ---- control.c: the control endpoint ---- */
 
 /*
  * Does what a request asks; @data is what it brought, @answer has room for
@@ -55,7 +55,7 @@ bool vboard_usb_configure(struct vboard_usb *usb, uint8_t configuration);
 /* SET_INTERFACE; false: there is no such setting. */
 bool vboard_usb_set_interface(struct vboard_usb *usb, uint8_t interface, uint8_t setting);
 
-/* ---- usb_transfers.c: the endpoints ---- */
+/* ---- transfers.c: the endpoints ---- */
 
 void vboard_usb_take_transfers(struct usbredirparser *parser);
 /* The bridge's ->ended, whose user is the vboard_usb. */
@@ -66,11 +66,11 @@ bool vboard_usb_pour(struct vboard_usb *usb);
 /* Sends the events there are, if the host takes them. */
 void vboard_usb_tell_events(struct vboard_usb *usb);
 
-/* ---- usb_refuse.c: what such a device does not have ---- */
+/* ---- refuse.c: what such a device does not have ---- */
 
 void vboard_usb_refuse_others(struct usbredirparser *parser);
 
-/* ---- door_usb.c: the cable ---- */
+/* ---- door.c: the cable ---- */
 
 /* Does so much wait for the host to read it that nothing more is to be done for it? */
 bool vboard_door_usb_full(const struct vboard_usb *usb);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "usb_faults.h"
+#include "vboard/usb/faults.h"
 
 #include <stddef.h>
 

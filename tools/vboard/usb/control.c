@@ -3,7 +3,7 @@
 #include <linux/usb/ch9.h>
 #include <string.h>
 
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 #define REGISTER_BYTES 4
 

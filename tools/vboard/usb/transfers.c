@@ -2,7 +2,7 @@
 /* Transfers of a USB board's endpoints, as they come in usbredir's packets. */
 #include <errno.h>
 
-#include "vboard_usb.h"
+#include "vboard/usb/vboard.h"
 
 #define EVENT_BYTES (4 * GLOSS_USB_EVENT_WORDS)
 
