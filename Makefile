@@ -32,6 +32,10 @@ RTL_SOURCES = rtl/gloss_pkg.sv $(filter-out rtl/port/% rtl/board/%,$(sort $(wild
 # Benches and simulators stop where a contract of the RTL is broken.
 VERILATE := verilator --cc --exe --build --assert
 
+# Programs of unit tests by their names, which are unique: tests lie in folders as what they test.
+unit = $(foreach test,$(1),$(patsubst %.c,$(BUILD)/%,$(or $(wildcard tests/unit/$(test).c \
+	tests/unit/*/$(test).c tests/usb/$(test).c),$(error no unit test $(test)))))
+
 # What the fragments add to.
 ALL        :=
 UNIT_TESTS :=

@@ -9,8 +9,8 @@ DRAW_UNIT_TESTS := test_setup test_setup_surface test_geometry test_lighting tes
 	test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
 UNIT_TESTS += $(DRAW_UNIT_TESTS)
 
-$(BUILD)/tests/unit/test_draw_out_of_memory: UNIT_LDFLAGS := -Wl,--wrap=malloc \
+$(call unit,test_draw_out_of_memory): UNIT_LDFLAGS := -Wl,--wrap=malloc \
 	-Wl,--wrap=calloc -Wl,--wrap=realloc -Wl,--wrap=free
-$(BUILD)/tests/unit/test_draw: $(DECODE_OBJECTS)
-$(BUILD)/tests/unit/test_draw: ACCEL_CFLAGS += -Itools
-$(BUILD)/tests/unit/test_draw: UNIT_LDFLAGS := $(DECODE_OBJECTS) -Wl,--wrap=accel_stream_submit
+$(call unit,test_draw): $(DECODE_OBJECTS)
+$(call unit,test_draw): ACCEL_CFLAGS += -Itools
+$(call unit,test_draw): UNIT_LDFLAGS := $(DECODE_OBJECTS) -Wl,--wrap=accel_stream_submit

@@ -23,13 +23,13 @@ $(STREAM_RANDOM_OBJS): $(BUILD)/%.o: %.c
 -include $(MODEL_OBJS:.o=.d) $(STREAM_RANDOM_OBJS:.o=.d)
 
 MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
-MODEL_TEST_SOURCES := tests/unit/reference.c
+MODEL_TEST_SOURCES := $(wildcard tests/unit/reference.c tests/unit/model/reference.c)
 
-$(BUILD)/tests/unit/test_model_%: tests/unit/test_model_%.c $(MODEL_TEST_SOURCES) \
+$(call unit,$(MODEL_TESTS)): $(BUILD)/%: %.c $(MODEL_TEST_SOURCES) \
 		$(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/stream $(CFLAGS) -MMD -MP -MF $@.d $< \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/unit -Itests/stream $(CFLAGS) -MMD -MP -MF $@.d $< \
 		$(MODEL_TEST_SOURCES) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS) -lcmocka -o $@
 
 UNIT_TESTS += $(MODEL_TESTS)

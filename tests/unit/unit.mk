@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
-# Unit tests in C: tests/unit/test_<file>.c may use, or include, any part of the library.
-$(BUILD)/tests/unit/test_%: tests/unit/test_%.c $(BUILD)/libaccel/parts.a
+# Unit tests in C: test_<file>.c may use, or include, any part of the library.
+UNIT_SOURCES := $(wildcard tests/unit/test_*.c tests/unit/*/test_*.c tests/usb/test_*.c)
+
+$(BUILD)/tests/unit/%: tests/unit/%.c $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d $< $(BUILD)/libaccel/parts.a \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/unit $(CFLAGS) -pthread -MMD -MP -MF $@.d $< $(BUILD)/libaccel/parts.a \
 		$(UNIT_LDFLAGS) -lcmocka $(ACCEL_LIBS) -o $@
 
-run-test_%: $(BUILD)/tests/unit/test_%
-	$(call quiet,TEST,$*)
-	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) FAKE_SIM_PATH=$(FAKE_SIM_DIR) $<
+define unit_run
+run-$(basename $(notdir $(1))): $(BUILD)/$(basename $(1))
+	$$(call quiet,TEST,$$(@:run-test_%=%))
+	$(Q)GLOSS_SIM_PATH=$$(SIM_DIR) FAKE_SIM_PATH=$$(FAKE_SIM_DIR) $$<
+endef
+$(foreach source,$(UNIT_SOURCES),$(eval $(call unit_run,$(source))))
 
 # And each error of accel.h has a row in its table.
 run-test_errors: run-errors-table
@@ -16,21 +21,21 @@ run-test_errors: run-errors-table
 run-errors-table:
 	$(Q)tests/unit/test_errors.sh $(BUILD)
 
--include $(wildcard $(BUILD)/tests/unit/*.d)
+-include $(wildcard $(BUILD)/tests/unit/*.d $(BUILD)/tests/unit/*/*.d $(BUILD)/tests/usb/test_*.d)
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_engine test_device test_buffer \
 	test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
 	test_transport_sim test_transport_sim_core
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
 
-$(BUILD)/tests/unit/test_unload: ACCEL_CFLAGS += -DACCEL_SO='"$(BUILD)/libaccel.so"'
-$(BUILD)/tests/unit/test_unload: | $(BUILD)/libaccel.so
+$(call unit,test_unload): ACCEL_CFLAGS += -DACCEL_SO='"$(BUILD)/libaccel.so"'
+$(call unit,test_unload): | $(BUILD)/libaccel.so
 run-test_unload: $(BUILD)/libaccel.so
 
 comma := ,
 OUT_OF_MEMORY_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, \
 	malloc calloc realloc free mmap munmap pthread_create pthread_join)
-$(BUILD)/tests/unit/test_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
+$(call unit,test_out_of_memory): UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
 
 # A kernel with the gloss module, for tests of "drm:"; without libdrm there is nothing to test.
 ifneq ($(DRM_LIBS),)
@@ -42,10 +47,10 @@ $(FAKE_GLOSS_OBJS): $(BUILD)/%.o: %.c
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(DRM_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
 FAKE_GLOSS_LDFLAGS := $(FAKE_GLOSS_OBJS) $(addprefix -Wl$(comma)--wrap=, \
 	open close stat access readlink drmGetDevices2 drmFreeDevices)
-$(DRM_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_GLOSS_OBJS)
-$(DRM_TESTS:%=$(BUILD)/tests/unit/%): ACCEL_CFLAGS += $(DRM_CFLAGS)
-$(DRM_TESTS:%=$(BUILD)/tests/unit/%): UNIT_LDFLAGS := $(FAKE_GLOSS_LDFLAGS)
-$(BUILD)/tests/unit/test_transport_drm_out_of_memory: UNIT_LDFLAGS += $(OUT_OF_MEMORY_LDFLAGS)
+$(call unit,$(DRM_TESTS)): $(FAKE_GLOSS_OBJS)
+$(call unit,$(DRM_TESTS)): ACCEL_CFLAGS += $(DRM_CFLAGS)
+$(call unit,$(DRM_TESTS)): UNIT_LDFLAGS := $(FAKE_GLOSS_LDFLAGS)
+$(call unit,test_transport_drm_out_of_memory): UNIT_LDFLAGS += $(OUT_OF_MEMORY_LDFLAGS)
 ACCEL_UNIT_TESTS += $(DRM_TESTS)
 UNIT_TESTS += $(DRM_TESTS)
 endif
@@ -55,7 +60,7 @@ ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
 	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
 	test_transport_usb_out_of_memory test_process test_errors
-$(BUILD)/tests/unit/test_transport_usb_out_of_memory: UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
+$(call unit,test_transport_usb_out_of_memory): UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
 ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_usb_zero $(USB_UNIT_TESTS)
 UNIT_TESTS += test_usb_message test_usb_pool test_usb_zero $(USB_UNIT_TESTS)
 endif
@@ -101,10 +106,10 @@ unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
 
 VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim \
 	$(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS))
-unit-valgrind: $(VALGRIND_TESTS:%=$(BUILD)/tests/unit/%) $(FAKE_SIMS)
-	$(Q)for test in $(VALGRIND_TESTS); do \
+unit-valgrind: $(call unit,$(VALGRIND_TESTS)) $(FAKE_SIMS)
+	$(Q)for test in $(call unit,$(VALGRIND_TESTS)); do \
 		FAKE_SIM_PATH=$(FAKE_SIM_DIR) valgrind -q --error-exitcode=1 --leak-check=full \
-			$(BUILD)/tests/unit/$$test || exit 1; \
+			$$test || exit 1; \
 	done
 
 .PHONY: test-install test-readme

@@ -26,11 +26,9 @@ ifneq ($(USB_LIBS),)
 # Tests in tests/usb; those in tests/unit that want the fake are in USB_UNIT_TESTS.
 USB_TESTS := test_fake_usb test_usb_errors test_usb_faults
 
-$(USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/usb/%.c
-$(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c
-$(BUILD)/tests/unit/test_usb_faults: $(USB_TRIAL_OBJ)
-$(USB_TESTS:%=$(BUILD)/tests/unit/%) $(USB_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(FAKE_USB_OBJS) \
-		$(STREAM_RANDOM_OBJS) $(BUILD)/libaccel/parts.a
+$(call unit,test_usb_faults): $(USB_TRIAL_OBJ)
+$(call unit,$(USB_TESTS) $(USB_UNIT_TESTS)): $(BUILD)/%: %.c $(FAKE_USB_OBJS) $(STREAM_RANDOM_OBJS) \
+		$(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$(filter %.c,$^))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) $(FAKE_USB_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d \
@@ -46,13 +44,13 @@ ACCEL_UNIT_TESTS += $(USB_TESTS)
 UNIT_TESTS += $(USB_TESTS)
 VALGRIND_TESTS += $(USB_VALGRIND_TESTS)
 unit-thread unit-valgrind: export USB_FAULTS ?= $(USB_FAULTS_SAMPLE)
-unit-valgrind: $(USB_VALGRIND_TESTS:%=$(BUILD)/tests/unit/%)
+unit-valgrind: $(call unit,$(USB_VALGRIND_TESTS))
 
 # And a few on the Verilated board.
 USB_FAULTS_RTL ?= 25
 USB_FAULTS_BOARD := $(BUILD)/sim/accel-usb-t64-k8.so
 .PHONY: usb-faults-rtl
-usb-faults-rtl: $(BUILD)/tests/unit/test_usb_faults $(USB_FAULTS_BOARD) ## faults of a USB cable, on the RTL
+usb-faults-rtl: $(call unit,test_usb_faults) $(USB_FAULTS_BOARD) ## faults of a USB cable, on the RTL
 	$(Q)$< -n $(USB_FAULTS_RTL) -b $(USB_FAULTS_BOARD)
 
 CHECKS += usb-faults-rtl

@@ -18,7 +18,7 @@ $(BUILD)/gloss-decode: $(DECODE_MAIN) $(DECODE_OBJECTS)
 ALL += $(BUILD)/gloss-decode
 
 # The decoder is compared with the model, which is in parts.a of the library.
-$(BUILD)/tests/unit/test_decode: tests/unit/test_decode.c $(DECODE_OBJECTS) \
+$(call unit,test_decode): tests/unit/test_decode.c $(DECODE_OBJECTS) \
 		$(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
@@ -26,9 +26,9 @@ $(BUILD)/tests/unit/test_decode: tests/unit/test_decode.c $(DECODE_OBJECTS) \
 		-lcmocka -o $@
 
 .PHONY: run-decode install-decode
-run-decode: $(BUILD)/tests/unit/test_decode $(BUILD)/gloss-decode
+run-decode: $(call unit,test_decode) $(BUILD)/gloss-decode
 	$(call quiet,TEST,decode)
-	$(Q)$(BUILD)/tests/unit/test_decode
+	$(Q)$(call unit,test_decode)
 	$(Q)tests/decode/run $(BUILD)/gloss-decode $(BUILD)
 
 UNIT_TESTS += decode

@@ -45,27 +45,25 @@ $(BUILD)/vboard-usb: $(VBOARD_USB_MAIN) $(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_
 VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_vboard_faults \
 	test_vboard_door test_vboard_qtest
 
-$(VBOARD_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c $(VBOARD_OBJECTS) \
+$(call unit,$(VBOARD_TESTS)): $(BUILD)/%: %.c $(VBOARD_OBJECTS) \
 		$(BOARD_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/unit $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) $(UNIT_LDFLAGS) -lcmocka $(ACCEL_LIBS) -o $@
 
 VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_bridge
 
-$(VBOARD_USB_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c \
+$(call unit,$(VBOARD_USB_TESTS)): $(BUILD)/%: %.c \
 		$(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools $(CFLAGS) -pthread -MMD -MP -MF $@.d \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/unit $(CFLAGS) -pthread -MMD -MP -MF $@.d \
 		$(filter-out %.h,$^) $(UNIT_LDFLAGS) -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS) -o $@
 
 # Tests of what is late have a clock of their own, and those of what is waited for wait for ever.
-$(addprefix $(BUILD)/tests/unit/test_vboard_, faults usb_bridge): \
-	UNIT_LDFLAGS := -Wl,--wrap=clock_gettime
-$(addprefix $(BUILD)/tests/unit/test_vboard_, door qtest): \
-	UNIT_LDFLAGS := -Wl,--wrap=pthread_cond_clockwait
+$(call unit,test_vboard_faults test_vboard_usb_bridge): UNIT_LDFLAGS := -Wl,--wrap=clock_gettime
+$(call unit,test_vboard_door test_vboard_qtest): UNIT_LDFLAGS := -Wl,--wrap=pthread_cond_clockwait
 
 UNIT_TESTS += $(VBOARD_TESTS) $(VBOARD_USB_TESTS)
 

@@ -32,11 +32,11 @@ $(PAIR_OBJ) $(PORT_TEST_OBJS): $(BUILD)/%.o: %.c
 BOARD_UNIT_TESTS := test_port_pci test_port_usb test_port_usb_reset test_board_model \
 	test_board_usb_model
 
-$(BOARD_UNIT_TESTS:%=$(BUILD)/tests/unit/%): $(BUILD)/tests/unit/%: tests/unit/%.c \
+$(call unit,$(BOARD_UNIT_TESTS)): $(BUILD)/%: %.c \
 		$(PORT_TEST_OBJS) $(BOARD_OBJECTS) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/port -Itests/stream $(CFLAGS) \
+	$(Q)$(CC) $(ACCEL_CFLAGS) -Idriver -Itools -Itests/unit -Itests/port -Itests/stream $(CFLAGS) \
 		-MMD -MP -MF $@.d $(filter-out %.h,$^) -lcmocka -o $@
 
 UNIT_TESTS += $(BOARD_UNIT_TESTS)
