@@ -19,7 +19,7 @@ $(foreach source,$(UNIT_SOURCES),$(eval $(call unit_run,$(source))))
 run-test_errors: run-errors-table
 .PHONY: run-errors-table
 run-errors-table:
-	$(Q)tests/unit/test_errors.sh $(BUILD)
+	$(Q)tests/unit/object/test_errors.sh $(BUILD)
 
 -include $(wildcard $(BUILD)/tests/unit/*.d $(BUILD)/tests/unit/*/*.d $(BUILD)/tests/usb/test_*.d)
 
@@ -127,4 +127,4 @@ CHECKS += test-install test-readme unit-sanitize unit-thread unit-valgrind
 .PHONY: run-test_symbols
 run-test_symbols: $(BUILD)/libaccel.so $(BUILD)/libaccel.a
 	$(call quiet,TEST,symbols)
-	$(Q)tests/unit/test_symbols.sh $(BUILD)
+	$(Q)tests/unit/object/test_symbols.sh $(BUILD)

@@ -23,8 +23,8 @@ awk '
 }' libaccel/accel.h | sort -u >"$out/promised"
 
 {
-	sed -n 's/^\t{ "\(accel_[a-z_]*\)", \(-E[A-Z0-9]*\), .*/\1 \2/p' tests/unit/test_errors.c
-	sed -n 's/^ \* \(accel_[a-z_]*\) \(-E[A-Z0-9]*\): .*/\1 \2/p' tests/unit/test_errors.c
+	sed -n 's/^\t{ "\(accel_[a-z_]*\)", \(-E[A-Z0-9]*\), .*/\1 \2/p' tests/unit/object/test_errors.c
+	sed -n 's/^ \* \(accel_[a-z_]*\) \(-E[A-Z0-9]*\): .*/\1 \2/p' tests/unit/object/test_errors.c
 } | sort -u >"$out/reached"
 
 [ -s "$out/promised" ] || { echo "no errors in accel.h"; exit 1; }
