@@ -23,7 +23,7 @@ $(STREAM_RANDOM_OBJS): $(BUILD)/%.o: %.c
 -include $(MODEL_OBJS:.o=.d) $(STREAM_RANDOM_OBJS:.o=.d)
 
 MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
-MODEL_TEST_SOURCES := $(wildcard tests/unit/reference.c tests/unit/model/reference.c)
+MODEL_TEST_SOURCES := tests/unit/model/reference.c
 
 $(call unit,$(MODEL_TESTS)): $(BUILD)/%: %.c $(MODEL_TEST_SOURCES) \
 		$(STREAM_RANDOM_OBJS) $(MODEL_OBJS)

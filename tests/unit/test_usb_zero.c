@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The stream that makes board memory zero, on the model. */
 #include "transport/usb/zero.h"
-#include "model_test.h"
+#include "model/model_test.h"
 
 #define DIRT 0xa5
 
