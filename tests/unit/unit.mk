@@ -40,7 +40,7 @@ $(call unit,test_out_of_memory): UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
 # A kernel with the gloss module, for tests of "drm:"; without libdrm there is nothing to test.
 ifneq ($(DRM_LIBS),)
 DRM_TESTS := test_transport_drm test_transport_drm_open test_transport_drm_out_of_memory
-FAKE_GLOSS_OBJS := $(addprefix $(BUILD)/tests/unit/,fake_gloss.o fake_gloss_job.o fake_gloss_node.o)
+FAKE_GLOSS_OBJS := $(addprefix $(BUILD)/tests/unit/transport/,fake_gloss.o fake_gloss_job.o fake_gloss_node.o)
 $(FAKE_GLOSS_OBJS): $(BUILD)/%.o: %.c
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
@@ -73,7 +73,7 @@ fake_flags_t64-k2 := -DFAKE_LANES=2 -DFAKE_ABI=GLOSS_SIM_ABI+1
 fake_flags_t64-k4 := -DFAKE_LANES=4 -DFAKE_VERSION=GLOSS_VERSION+1
 fake_flags_t32-k2 := -UFAKE_SYMBOL -DFAKE_SYMBOL=gloss_simulator
 fake_flags_t32-k4 := -c
-$(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/fake_sim.c libaccel/sim/sim.h
+$(FAKE_SIM_DIR)/accel-sim-%.so: tests/unit/transport/fake_sim.c libaccel/sim/sim.h
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(ACCEL_CFLAGS) -fPIC -shared -DFAKE_SYMBOL=gloss_sim $(fake_flags_$*) $< -o $@
 run-test_transport_sim: $(FAKE_SIMS)
@@ -83,8 +83,8 @@ run-test_transport_sim_core run-test_out_of_memory: $(ACCEL_TEST_SIMS)
 
 # A core that breaks the rules of its ports, for the test of the wrapper that watches them.
 BAD_CORE := $(BUILD)/tests/unit/bad-core/accel-sim-t32-k1.so
-$(BUILD)/tests/unit/bad-core/accel-sim-%.so: tests/unit/bad_core.sv $(SIM_WRAPPER)
-	$(call sim_plugin,tests/unit/bad_core.sv)
+$(BUILD)/tests/unit/bad-core/accel-sim-%.so: tests/unit/transport/bad_core.sv $(SIM_WRAPPER)
+	$(call sim_plugin,tests/unit/transport/bad_core.sv)
 run-test_sim_wrapper: export BAD_CORE := $(BAD_CORE)
 run-test_sim_wrapper: $(BAD_CORE)
 UNIT_TESTS += test_sim_wrapper

@@ -5,7 +5,7 @@
  */
 #include <math.h>
 
-#include "usb_test.h"
+#include "transport/usb_test.h"
 
 static struct messages messages;
 static struct accel_device *device;

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "child_test.h"
-#include "usb_test.h"
+#include "transport/usb_test.h"
 
 #define SECONDS 300
 #define WORDS (1u << 20)
