@@ -18,7 +18,7 @@ $(BUILD)/gloss-decode: $(DECODE_MAIN) $(DECODE_OBJECTS)
 ALL += $(BUILD)/gloss-decode
 
 # The decoder is compared with the model, which is in parts.a of the library.
-$(call unit,test_decode): tests/unit/test_decode.c $(DECODE_OBJECTS) \
+$(call unit,test_decode): tests/unit/tools/test_decode.c $(DECODE_OBJECTS) \
 		$(BUILD)/libaccel/parts.a
 	$(call quiet,CC,$<)
 	@mkdir -p $(@D)
