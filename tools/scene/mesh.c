@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "scene/mesh.h"
 
@@ -20,10 +21,14 @@ int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh)
 
 void mesh_free(struct mesh *mesh)
 {
-	free(mesh->position);
-	free(mesh->normal);
-	free(mesh->colour);
-	free(mesh->triangle);
+	if (mesh->map) {
+		munmap(mesh->map, mesh->map_size);
+	} else {
+		free(mesh->position);
+		free(mesh->normal);
+		free(mesh->colour);
+		free(mesh->triangle);
+	}
 	memset(mesh, 0, sizeof(*mesh));
 }
 

@@ -14,6 +14,8 @@ struct mesh {
 	float (*position)[3], (*normal)[3];
 	float (*colour)[4];		/* NULL: has none */
 	uint32_t (*triangle)[3];	/* indices of vertices */
+	void *map;			/* memory that all arrays lie in; NULL: each is its own */
+	size_t map_size;
 };
 
 enum mesh_normals {

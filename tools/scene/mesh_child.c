@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
+#include <malloc.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -77,6 +79,12 @@ static void confine(const struct child_limits *limits, pid_t parent)
 	prctl(PR_SET_PDEATHSIG, SIGKILL);
 	if (getppid() != parent)
 		_exit(1);
+	/*
+	 * Memory comes from the heap alone, and what is freed of it, like the text of the file, is
+	 * used again: new pages are what takes the time.
+	 */
+	mallopt(M_MMAP_MAX, 0);
+	mallopt(M_TRIM_THRESHOLD, INT_MAX);
 	limit(RLIMIT_CORE, 0, 0);
 	limit(RLIMIT_CPU, limits->seconds, (uint64_t)limits->seconds + 1);
 	/* The sanitizer has all addresses there are. */
@@ -85,54 +93,37 @@ static void confine(const struct child_limits *limits, pid_t parent)
 #endif
 }
 
-static size_t place_arrays(const struct report *report, struct mesh *mesh)
+static int write_all(int fd, const void *data, size_t size)
 {
-	char *at = (char *)(report + 1);
-	const char *begin = (const char *)report;
+	const char *at = data;
 
-	*mesh = (struct mesh){ .vertices = report->vertices, .triangles = report->triangles };
-	mesh->position = (void *)at;
-	at += sizeof(*mesh->position) * mesh->vertices;
-	mesh->normal = (void *)at;
-	at += sizeof(*mesh->normal) * mesh->vertices;
-	if (report->coloured) {
-		mesh->colour = (void *)at;
-		at += sizeof(*mesh->colour) * mesh->vertices;
+	while (size) {
+		ssize_t written = write(fd, at, size);
+
+		if (written < 0 && errno != EINTR)
+			return -ENOMEM;
+		at += written > 0 ? written : 0;
+		size -= written > 0 ? (size_t)written : 0;
 	}
-	mesh->triangle = (void *)at;
-	at += sizeof(*mesh->triangle) * mesh->triangles;
-	return at - begin;
+	return 0;
 }
 
-static void copy_arrays(const struct mesh *to, const struct mesh *from)
-{
-	memcpy(to->position, from->position, sizeof(*to->position) * to->vertices);
-	memcpy(to->normal, from->normal, sizeof(*to->normal) * to->vertices);
-	if (to->colour && from->colour)
-		memcpy(to->colour, from->colour, sizeof(*to->colour) * to->vertices);
-	memcpy(to->triangle, from->triangle, sizeof(*to->triangle) * to->triangles);
-}
-
-/* Puts the mesh behind the report. */
+/* Puts the mesh behind the report, in the order of place_arrays. */
 static int hand_over(const struct child *child, const struct mesh *mesh)
 {
 	struct report *report = child->report;
-	struct mesh shared;
-	size_t size;
-	void *map;
+	int fd = child->memory;
 
 	report->vertices = mesh->vertices;
 	report->triangles = mesh->triangles;
 	report->coloured = mesh->colour != NULL;
-	size = place_arrays(report, &shared);
-	if (posix_fallocate(child->memory, 0, (off_t)size))
+	if (lseek(fd, sizeof(*report), SEEK_SET) < 0 ||
+	    write_all(fd, mesh->position, sizeof(*mesh->position) * mesh->vertices) ||
+	    write_all(fd, mesh->normal, sizeof(*mesh->normal) * mesh->vertices) ||
+	    (mesh->colour &&
+	     write_all(fd, mesh->colour, sizeof(*mesh->colour) * mesh->vertices)))
 		return -ENOMEM;
-	map = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, child->memory, 0);
-	if (map == MAP_FAILED)
-		return -ENOMEM;
-	place_arrays(map, &shared);
-	copy_arrays(&shared, mesh);
-	return 0;
+	return write_all(fd, mesh->triangle, sizeof(*mesh->triangle) * mesh->triangles);
 }
 
 static void work(const struct child *child, child_fn load, const char *path,
@@ -152,7 +143,7 @@ static void work(const struct child *child, child_fn load, const char *path,
 
 static int start(struct child *child)
 {
-	child->memory = memfd_create("mesh", MFD_CLOEXEC);
+	child->memory = memfd_create("mesh", MFD_CLOEXEC | MFD_ALLOW_SEALING);
 	if (child->memory < 0 || ftruncate(child->memory, sizeof(*child->report)))
 		return -ENOMEM;
 	child->report = mmap(NULL, sizeof(*child->report), PROT_READ | PROT_WRITE, MAP_SHARED,
@@ -201,6 +192,25 @@ static int crashed(const char *path, int status, const struct child_limits *limi
 	return -EPROTO;
 }
 
+/* The arrays of a mesh behind its report; returns how far they reach. */
+static size_t place_arrays(const struct report *report, char *map, struct mesh *mesh)
+{
+	char *at = map + sizeof(*report);
+
+	*mesh = (struct mesh){ .vertices = report->vertices, .triangles = report->triangles };
+	mesh->position = (void *)at;
+	at += sizeof(*mesh->position) * mesh->vertices;
+	mesh->normal = (void *)at;
+	at += sizeof(*mesh->normal) * mesh->vertices;
+	if (report->coloured) {
+		mesh->colour = (void *)at;
+		at += sizeof(*mesh->colour) * mesh->vertices;
+	}
+	mesh->triangle = (void *)at;
+	at += sizeof(*mesh->triangle) * mesh->triangles;
+	return at - map;
+}
+
 static bool has_vertices(const struct mesh *mesh)
 {
 	for (uint32_t i = 0; i < mesh->triangles; i++)
@@ -210,49 +220,46 @@ static bool has_vertices(const struct mesh *mesh)
 	return true;
 }
 
-/* The child's numbers are as little to be trusted as the file. */
-static int take(const struct child *child, const char *path, struct mesh *mesh,
-		char message[MESH_MESSAGE])
+/*
+ * The child's numbers are as little to be trusted as the file. The memory is lent to the mesh as
+ * it is, sealed, so that nothing the child may have left can change what has been checked.
+ */
+static int take(const struct child *child, const struct report *report, const char *path,
+		struct mesh *mesh, char message[MESH_MESSAGE])
 {
+	const int seals = F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW;
 	off_t end = lseek(child->memory, 0, SEEK_END);
-	struct mesh shared;
-	int ret = 0;
 	void *map;
 
-	if (end < (off_t)place_arrays(child->report, &shared))
+	if (fcntl(child->memory, F_ADD_SEALS, seals) || end < (off_t)sizeof(*report))
 		return crashed(path, 0, NULL, message);
-	map = mmap(NULL, end, PROT_READ, MAP_SHARED, child->memory, 0);
+	map = mmap(NULL, end, PROT_READ | PROT_WRITE, MAP_PRIVATE, child->memory, 0);
 	if (map == MAP_FAILED)
 		return out_of_memory(path, message);
-	place_arrays(map, &shared);
-	if (mesh_new(shared.vertices, shared.triangles, mesh))
-		ret = out_of_memory(path, message);
-	if (!ret && shared.colour) {
-		mesh->colour = calloc(shared.vertices, sizeof(*mesh->colour));
-		ret = mesh->colour ? 0 : out_of_memory(path, message);
+	if (end < (off_t)place_arrays(report, map, mesh) || !has_vertices(mesh)) {
+		munmap(map, end);
+		memset(mesh, 0, sizeof(*mesh));
+		return crashed(path, 0, NULL, message);
 	}
-	if (!ret)
-		copy_arrays(mesh, &shared);
-	if (!ret && !has_vertices(mesh))
-		ret = crashed(path, 0, NULL, message);
-	if (ret)
-		mesh_free(mesh);
-	munmap(map, end);
-	return ret;
+	mesh->map = map;
+	mesh->map_size = end;
+	return 0;
 }
 
-static int collect(const struct child *child, int status, const char *path,
+static int collect(struct child *child, int status, const char *path,
 		   const struct child_limits *limits, struct mesh *mesh,
 		   char message[MESH_MESSAGE])
 {
-	const struct report *report = child->report;
+	const struct report report = *child->report;
 
-	if (!WIFEXITED(status) || !report->complete)
+	munmap(child->report, sizeof(*child->report));
+	child->report = NULL;
+	if (!WIFEXITED(status) || !report.complete)
 		return crashed(path, status, limits, message);
-	if (!report->error)
-		return take(child, path, mesh, message);
-	snprintf(message, MESH_MESSAGE, "%.*s", MESH_MESSAGE - 1, report->message);
-	return report->error;
+	if (!report.error)
+		return take(child, &report, path, mesh, message);
+	snprintf(message, MESH_MESSAGE, "%.*s", MESH_MESSAGE - 1, report.message);
+	return report.error;
 }
 
 int child_run(child_fn load, const char *path, const struct mesh_options *options,
