@@ -22,6 +22,8 @@ struct import {
 	bool normals, linear;		/* of struct part */
 	struct part_total total;
 	struct mesh *raw;
+	struct weld weld;
+	uint32_t *number;		/* in raw, of the vertices of a part */
 };
 
 /* Once to count and once to append. */
@@ -82,35 +84,53 @@ static int count(struct import *import, const struct part *part)
 
 static int append(struct import *import, const struct part *part)
 {
-	return part_append(part, import->raw);
+	return part_append(part, &import->weld, import->number);
 }
 
 static int allocate(const struct part_total *total, struct mesh *raw)
 {
-	if (!total->triangles)
-		return -ENODATA;
-	if (total->vertices >= UINT32_MAX || total->triangles > UINT32_MAX / 3)
-		return -E2BIG;
-	raw->position = calloc(total->vertices, sizeof(*raw->position));
-	raw->triangle = calloc(total->triangles, sizeof(*raw->triangle));
+	raw->triangle = malloc(total->triangles * sizeof(*raw->triangle));
+	raw->position = malloc(total->vertices * sizeof(*raw->position));
 	if (total->normals)
-		raw->normal = calloc(total->vertices, sizeof(*raw->normal));
+		raw->normal = malloc(total->vertices * sizeof(*raw->normal));
 	if (total->colours)
-		raw->colour = calloc(total->vertices, sizeof(*raw->colour));
+		raw->colour = malloc(total->vertices * sizeof(*raw->colour));
 	if (raw->position && raw->triangle && (raw->normal || !total->normals) &&
 	    (raw->colour || !total->colours))
 		return 0;
 	return -ENOMEM;
 }
 
-/* A scene in arrays, with vertices as the file has them. */
-static int convert(struct import *import)
+/* What is used whole comes first: it takes what the file's text has left. */
+static int append_all(struct import *import)
 {
-	int ret = import->scene->mRootNode ? visit_all(import, count) : -ENODATA;
+	int ret = weld_begin(&import->weld, import->raw, import->total.vertices);
 
+	import->number = malloc(import->total.most * sizeof(*import->number));
+	if (!import->number)
+		ret = -ENOMEM;
 	if (!ret)
 		ret = allocate(&import->total, import->raw);
-	return ret ? ret : visit_all(import, append);
+	if (!ret)
+		ret = visit_all(import, append);
+	weld_end(&import->weld);
+	free(import->number);
+	return ret;
+}
+
+/* A scene in arrays, with what vertices the file has, each once. */
+static int convert(struct import *import)
+{
+	const struct part_total *total = &import->total;
+	int ret = import->scene->mRootNode ? visit_all(import, count) : -ENODATA;
+
+	if (ret)
+		return ret;
+	if (!total->triangles)
+		return -ENODATA;
+	if (total->vertices >= UINT32_MAX || total->triangles > UINT32_MAX / 3)
+		return -E2BIG;
+	return append_all(import);
 }
 
 /* The extension's letters are @kind. */

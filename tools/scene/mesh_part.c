@@ -124,6 +124,8 @@ static bool all_finite(const struct aiMesh *mesh)
 
 void part_count(const struct part *part, struct part_total *total)
 {
+	if (total->most < part->mesh->mNumVertices)
+		total->most = part->mesh->mNumVertices;
 	total->vertices += part->mesh->mNumVertices;
 	for (unsigned int i = 0; i < part->mesh->mNumFaces; i++)
 		total->triangles += part->mesh->mFaces[i].mNumIndices == 3;
@@ -159,14 +161,13 @@ static double normal_matrix(const struct aiMatrix4x4 *m, double n[3][3])
 
 static void set_position(float out[3], const struct aiMatrix4x4 *m, struct aiVector3D v)
 {
-	aiTransformVecByMatrix4(&v, m);
-	out[0] = v.x;
-	out[1] = v.y;
-	out[2] = v.z;
+	out[0] = m->a1 * v.x + m->a2 * v.y + m->a3 * v.z + m->a4;
+	out[1] = m->b1 * v.x + m->b2 * v.y + m->b3 * v.z + m->b4;
+	out[2] = m->c1 * v.x + m->c2 * v.y + m->c3 * v.z + m->c4;
 }
 
 /* Of unit length; zero, that is to be made anew, if it has no direction. */
-static void set_normal(float out[3], double n[3][3], struct aiVector3D v)
+static void set_normal(float out[3], const double n[3][3], struct aiVector3D v)
 {
 	double turned[3], length = 0;
 
@@ -179,7 +180,9 @@ static void set_normal(float out[3], double n[3][3], struct aiVector3D v)
 		out[row] = length > 0 && isfinite(length) ? (float)(turned[row] / length) : 0;
 }
 
-static int append_triangles(const struct aiMesh *mesh, bool mirrored, struct mesh *raw)
+/* @number is that of each of the part's vertices. */
+static int append_triangles(const struct aiMesh *mesh, bool mirrored, const uint32_t *number,
+			    struct mesh *raw)
 {
 	for (unsigned int i = 0; i < mesh->mNumFaces; i++) {
 		const struct aiFace *face = &mesh->mFaces[i];
@@ -191,28 +194,57 @@ static int append_triangles(const struct aiMesh *mesh, bool mirrored, struct mes
 		if (!is_triangle(mesh, face))
 			return -EINVAL;
 		for (int corner = 0; corner < 3; corner++)
-			out[mirrored ? 2 - corner : corner] =
-				raw->vertices + face->mIndices[corner];
+			out[mirrored ? 2 - corner : corner] = number[face->mIndices[corner]];
 		raw->triangles++;
 	}
 	return 0;
 }
 
-int part_append(const struct part *part, struct mesh *raw)
-{
-	const struct aiMesh *mesh = part->mesh;
-	struct aiColor4D colour = material_colour(part);
-	bool normals = raw->normal && has_normals(part);
-	double n[3][3], determinant = normal_matrix(&part->place, n);
-	int ret = append_triangles(mesh, determinant < 0, raw);
+/* What of a vertex all of the part's have in common. */
+struct common {
+	const struct part *part;
+	double normal[3][3];
+	bool normals;			/* those of the file */
+	struct aiColor4D colour;
+};
 
-	for (unsigned int i = 0; i < mesh->mNumVertices && !ret; i++, raw->vertices++) {
-		set_position(raw->position[raw->vertices], &part->place, mesh->mVertices[i]);
-		if (raw->normal)
-			set_normal(raw->normal[raw->vertices], n,
-				   normals ? mesh->mNormals[i] : zero);
-		if (raw->colour)
-			set_colour(part, &colour, i, raw->colour[raw->vertices]);
+static void set_vertex(const struct common *common, const struct mesh *raw, unsigned int i,
+		       struct weld_vertex *vertex)
+{
+	const struct aiMesh *mesh = common->part->mesh;
+
+	set_position(vertex->position, &common->part->place, mesh->mVertices[i]);
+	if (raw->normal)
+		set_normal(vertex->normal, (const double(*)[3])common->normal,
+			   common->normals ? mesh->mNormals[i] : zero);
+	if (raw->colour)
+		set_colour(common->part, &common->colour, i, vertex->colour);
+}
+
+static int append_vertices(const struct common *common, struct weld *weld, uint32_t *number)
+{
+	unsigned int vertices = common->part->mesh->mNumVertices;
+	struct weld_vertex block[WELD_BLOCK];
+	int ret = 0;
+
+	for (unsigned int first = 0; first < vertices && !ret; first += WELD_BLOCK) {
+		unsigned int left = vertices - first;
+		unsigned int count = left < WELD_BLOCK ? left : WELD_BLOCK;
+
+		for (unsigned int i = 0; i < count; i++)
+			set_vertex(common, weld->mesh, first + i, &block[i]);
+		ret = weld_add(weld, block, count, number + first);
 	}
 	return ret;
+}
+
+int part_append(const struct part *part, struct weld *weld, uint32_t *number)
+{
+	struct common common = { .part = part, .colour = material_colour(part) };
+	double determinant = normal_matrix(&part->place, common.normal);
+	int ret;
+
+	common.normals = weld->mesh->normal && has_normals(part);
+	ret = append_vertices(&common, weld, number);
+	return ret ? ret : append_triangles(part->mesh, determinant < 0, number, weld->mesh);
 }

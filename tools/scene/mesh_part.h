@@ -6,10 +6,12 @@
 #include <assimp/scene.h>
 
 #include "scene/mesh.h"
+#include "scene/mesh_weld.h"
 
 /* Of all parts together. */
 struct part_total {
 	uint64_t vertices, triangles;
+	uint32_t most;			/* vertices of one part */
 	bool normals, colours;		/* some part has them */
 	bool finite;			/* all coordinates are numbers */
 };
@@ -24,9 +26,9 @@ struct part {
 
 void part_count(const struct part *part, struct part_total *total);
 /*
- * Appends to @raw, which has arrays of the total's size and counts what is in them. -EINVAL: an
- * index out of range.
+ * Appends to the mesh in @weld, which has arrays of the total's size and counts what is in them.
+ * @number has room for the part's vertices. -EINVAL: an index out of range; -ENOMEM.
  */
-int part_append(const struct part *part, struct mesh *raw);
+int part_append(const struct part *part, struct weld *weld, uint32_t *number);
 
 #endif

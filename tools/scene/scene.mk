@@ -2,8 +2,8 @@
 # Meshes, scenes and pictures: what gloss-view, the programs that measure pictures and the tests share.
 
 SCENE_SOURCES := $(addprefix tools/scene/, matrix.c mesh.c mesh_build.c mesh_child.c mesh_file.c \
-	mesh_import.c mesh_part.c mesh_place.c mesh_shape.c phong.c phong_fill.c picture.c \
-	picture_text.c quality.c scene.c)
+	mesh_import.c mesh_part.c mesh_place.c mesh_shape.c mesh_weld.c \
+	phong.c phong_fill.c picture.c picture_text.c quality.c scene.c)
 # Files that appear whole or not at all: pictures, and what hwgen writes.
 OUTPUT_OBJECT := $(BUILD)/tools/scene/output.o
 # Boards that open, or a line that says why not.
