@@ -11,7 +11,7 @@ view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 	$(Q)tests/view/completion $(abspath $<)
 
 # A test of the viewer's insides includes the file it is about.
-VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_shape test_phong \
+VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_plain test_mesh_shape test_phong \
 	test_phong_cover test_picture test_view_camera test_view_draw \
 	test_view_progress test_view_window
 

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "scene/mesh.h"
+#include "scene/mesh_face.h"
 #include "scene/mesh_place.h"
 
 /* How many of a place's vertices a corner is compared with, so that a fan of a million ends. */
@@ -21,26 +22,33 @@
 /* The same for triangles that share an edge, of which there should be two. */
 #define SHARING 8
 
-/* A corner at the place that is looked at. */
-struct corner {
-	uint32_t number;
-	uint32_t group;			/* index of another of its group, or its own */
-	float sum[3];			/* of a group's first: its normal, not of unit length */
-};
+#define NONE UINT32_MAX
 
-/* One end of an edge: the place at the other end, and the index of the corner. */
-struct end {
-	uint32_t place, corner;
+/* A corner at the place that is looked at, with the ends of its triangle's two edges there. */
+struct corner {
+	uint32_t triangle, which;	/* corner 0, 1 or 2 of it */
+	uint32_t group;			/* index of an earlier one of its group, or its own */
+	uint32_t other[2];		/* the place at each edge's other end */
+	uint32_t before[2];		/* an earlier corner with an edge to there, or NONE */
+	struct face face;		/* its triangle's */
+	float sum[3];			/* of a group's first: its normal, not of unit length */
+	uint32_t vertex;		/* and the last that has it, or NONE */
 };
 
 struct build {
 	const struct mesh *raw;
 	enum mesh_normals normals;
+	float (*given)[3];		/* normals of the file, if they are wanted; or NULL */
 	float crease;			/* the cosine */
 	struct places places;
-	float (*face)[3];		/* of triangles; zero without area */
+	struct face *face;		/* of triangles; NULL if all normals are given */
 	struct corner *corner;		/* of the place, room for the most there are of one */
-	struct end *end;		/* twice as many */
+	/*
+	 * Of each place, as seen from the one that is looked at: 1 + where in places.corner the
+	 * last corner with an edge to there is. What an earlier place has left is lower than all
+	 * that this one may have.
+	 */
+	uint32_t *last;
 	struct mesh *mesh;
 	uint32_t room;			/* for vertices in mesh */
 };
@@ -50,58 +58,27 @@ static float dot(const float a[3], const float b[3])
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void subtract(double out[3], const float a[3], const float b[3])
-{
-	for (int i = 0; i < 3; i++)
-		out[i] = (double)a[i] - (double)b[i];
-}
-
 /* Of unit length, or zero. */
-static void unit(float out[3], const double v[3])
+static void unit(float out[3], const float v[3])
 {
-	double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+	double x = v[0], y = v[1], z = v[2], length = sqrt(x * x + y * y + z * z);
 
 	for (int i = 0; i < 3; i++)
-		out[i] = length > 0 && isfinite(length) ? (float)(v[i] / length) : 0;
+		out[i] = length > 0 && isfinite(length) ? (float)((double)v[i] / length) : 0;
 }
 
-static void face_normal(const struct mesh *raw, uint32_t triangle, float normal[3])
+/* The corner itself, or that which is @step further in its triangle. */
+static uint32_t vertex_of(const struct build *build, const struct corner *corner, uint32_t step)
 {
-	const uint32_t *index = raw->triangle[triangle];
-	double u[3], v[3], n[3];
+	uint32_t which = corner->which + step;
 
-	subtract(u, raw->position[index[1]], raw->position[index[0]]);
-	subtract(v, raw->position[index[2]], raw->position[index[0]]);
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, k = (i + 2) % 3;
-
-		n[i] = u[j] * v[k] - u[k] * v[j];
-	}
-	unit(normal, n);
+	return build->raw->triangle[corner->triangle][which < 3 ? which : which - 3];
 }
 
-static uint32_t vertex_of(const struct build *build, uint32_t corner, uint32_t step)
+/* What has no area has no normal, so it can not tell whether its edges are creases. */
+static bool has_area(const float normal[3])
 {
-	return build->raw->triangle[corner / 3][(corner % 3 + step) % 3];
-}
-
-/* The angle of a corner. */
-static float angle(const struct build *build, uint32_t corner)
-{
-	float (*p)[3] = build->raw->position;
-	const float *at = p[vertex_of(build, corner, 0)];
-	double u[3], v[3], cross[3], cosine = 0;
-
-	subtract(u, p[vertex_of(build, corner, 1)], at);
-	subtract(v, p[vertex_of(build, corner, 2)], at);
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, k = (i + 2) % 3;
-
-		cross[i] = u[j] * v[k] - u[k] * v[j];
-		cosine += u[i] * v[i];
-	}
-	return (float)atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]),
-			    cosine);
+	return normal[0] || normal[1] || normal[2];
 }
 
 /* ---- what belongs together ---- */
@@ -119,90 +96,71 @@ static uint32_t group_of(struct build *build, uint32_t corner)
 
 static void join(struct build *build, uint32_t a, uint32_t b)
 {
-	build->corner[group_of(build, a)].group = group_of(build, b);
+	a = group_of(build, a);
+	b = group_of(build, b);
+	build->corner[a > b ? a : b].group = a < b ? a : b;
 }
 
-static int compare_ends(const void *a, const void *b)
+/* Joins corner @i with earlier ones that have an edge to the same place, if it is no crease. */
+static void join_over_edge(struct build *build, uint32_t i, int end)
 {
-	const struct end *p = a, *q = b;
+	struct corner *corner = &build->corner[i];
+	uint32_t other = corner->other[end], before = corner->before[end];
 
-	return p->place < q->place ? -1 : p->place > q->place;
-}
+	for (int n = 0; n < SHARING && before != NONE; n++) {
+		const struct corner *b = &build->corner[before];
 
-static const float *face_of(const struct build *build, uint32_t corner)
-{
-	return build->face[build->corner[corner].number / 3];
-}
-
-/* Most places have a dozen ends, for which the C library's sort is slow. */
-static void sort_ends(struct end *end, uint32_t ends)
-{
-	if (ends > 64) {
-		qsort(end, ends, sizeof(*end), compare_ends);
-		return;
-	}
-	for (uint32_t i = 1; i < ends; i++) {
-		struct end moved = end[i];
-		uint32_t j = i;
-
-		for (; j && end[j - 1].place > moved.place; j--)
-			end[j] = end[j - 1];
-		end[j] = moved;
+		if (dot(corner->face.normal, b->face.normal) >= build->crease)
+			join(build, i, before);
+		before = b->before[b->other[0] != other];
 	}
 }
 
-/* Joins the corners whose edges lead to the same place, if that edge is no crease. */
-static void join_over_edges(struct build *build, uint32_t ends)
+/* The places of a triangle with an area are three. */
+static void find_edges(struct build *build, uint32_t begin, uint32_t i)
 {
-	struct end *end = build->end;
+	struct corner *corner = &build->corner[i];
 
-	sort_ends(end, ends);
-	for (uint32_t i = 1; i < ends; i++) {
-		uint32_t least = i > SHARING ? i - SHARING : 0;
+	for (int end = 0; end < 2; end++) {
+		uint32_t other = build->places.place[vertex_of(build, corner, end + 1)];
+		uint32_t *last = &build->last[other];
 
-		for (uint32_t j = i; j > least && end[j - 1].place == end[i].place; j--)
-			if (dot(face_of(build, end[i].corner), face_of(build, end[j - 1].corner)) >=
-			    build->crease)
-				join(build, end[i].corner, end[j - 1].corner);
+		corner->other[end] = other;
+		corner->before[end] = *last > begin ? *last - begin - 1 : NONE;
+		*last = begin + i + 1;
 	}
 }
 
-/* What has no area has no normal, so it can not tell whether its edges are creases. */
-static bool has_area(const float normal[3])
+static void make_groups(struct build *build, uint32_t begin, uint32_t corners)
 {
-	return normal[0] || normal[1] || normal[2];
-}
-
-static void make_groups(struct build *build, uint32_t corners)
-{
-	uint32_t ends = 0;
-
 	for (uint32_t i = 0; i < corners; i++) {
 		struct corner *corner = &build->corner[i];
 
+		corner->face = build->face[corner->triangle];
 		corner->group = build->normals == MESH_NORMALS_SMOOTH ? 0 : i;
+		corner->vertex = NONE;
+		corner->before[0] = corner->before[1] = NONE;
 		for (int axis = 0; axis < 3; axis++)
 			corner->sum[axis] = 0;
-		if (!has_area(face_of(build, i)))
-			continue;
-		for (uint32_t step = 1; step < 3; step++) {
-			build->end[ends].place =
-				build->places.place[vertex_of(build, corner->number, step)];
-			build->end[ends++].corner = i;
-		}
+		if (build->normals == MESH_NORMALS_CREASED && has_area(corner->face.normal))
+			find_edges(build, begin, i);
 	}
-	if (build->normals == MESH_NORMALS_CREASED)
-		join_over_edges(build, ends);
+	for (uint32_t i = 0; i < corners; i++)
+		for (int end = 0; end < 2; end++)
+			join_over_edge(build, i, end);
 }
 
 static void sum_normals(struct build *build, uint32_t corners)
 {
 	for (uint32_t i = 0; i < corners; i++) {
-		float *sum = build->corner[group_of(build, i)].sum;
-		float weight = angle(build, build->corner[i].number);
+		struct corner *corner = &build->corner[i];
+		float *sum;
 
+		/* Whose group it names has done the same before. */
+		corner->group = build->corner[corner->group].group;
+		sum = build->corner[corner->group].sum;
 		for (int axis = 0; axis < 3; axis++)
-			sum[axis] += weight * face_of(build, i)[axis];
+			sum[axis] += corner->face.angle[corner->which] * corner->face.normal[axis];
 	}
 }
 
@@ -210,7 +168,8 @@ static void sum_normals(struct build *build, uint32_t corners)
 
 static int grow(struct build *build)
 {
-	uint32_t room = build->room < UINT32_MAX / 2 ? build->room * 2 + 64 : UINT32_MAX;
+	uint32_t twice = build->room < UINT32_MAX / 2 ? build->room * 2 : UINT32_MAX;
+	uint32_t room = build->room ? twice : build->raw->vertices;
 	struct mesh *mesh = build->mesh, larger = *mesh;
 
 	/* Each is the mesh's as soon as it is there, so that nothing is lost or freed twice. */
@@ -267,22 +226,19 @@ static int add_vertex(struct build *build, uint32_t raw, const float normal[3], 
 /* The one the file gives; zero if it gives none or it is not wanted. */
 static void given_normal(const struct build *build, uint32_t vertex, float normal[3])
 {
-	const float *given = build->raw->normal ? build->raw->normal[vertex] : NULL;
-
-	if (given && build->normals == MESH_NORMALS_CREASED)
-		unit(normal, (const double[3]){ given[0], given[1], given[2] });
+	if (build->given)
+		unit(normal, build->given[vertex]);
 	else
 		normal[0] = normal[1] = normal[2] = 0;
 }
 
-static void made_normal(struct build *build, uint32_t corner, float normal[3])
+static void made_normal(struct build *build, const struct corner *corner, const float sum[3],
+			float normal[3])
 {
-	const float *sum = build->corner[group_of(build, corner)].sum;
-
 	if (build->normals == MESH_NORMALS_FACETS)
-		memcpy(normal, face_of(build, corner), sizeof(float[3]));
+		memcpy(normal, corner->face.normal, sizeof(float[3]));
 	else
-		unit(normal, (const double[3]){ sum[0], sum[1], sum[2] });
+		unit(normal, sum);
 	/* Where there is nothing but degenerate triangles, or opposite ones, any will do. */
 	if (!has_area(normal))
 		normal[2] = 1;
@@ -290,59 +246,101 @@ static void made_normal(struct build *build, uint32_t corner, float normal[3])
 
 static bool wants_normals(const struct build *build, uint32_t corners)
 {
-	for (uint32_t i = 0; i < corners; i++) {
+	for (uint32_t i = 0; i < corners && build->face; i++) {
 		float normal[3];
 
-		given_normal(build, vertex_of(build, build->corner[i].number, 0), normal);
+		given_normal(build, vertex_of(build, &build->corner[i], 0), normal);
 		if (!has_area(normal))
 			return true;
 	}
 	return false;
 }
 
+/* The vertex of corner @i of the place whose vertices begin at @first. */
+static int add_corner(struct build *build, uint32_t i, uint32_t first, uint32_t *number)
+{
+	const struct corner *corner = &build->corner[i];
+	uint32_t vertex = vertex_of(build, corner, 0);
+	struct corner *group;
+	float normal[3];
+	int ret;
+
+	given_normal(build, vertex, normal);
+	if (has_area(normal))
+		return add_vertex(build, vertex, normal, first, number);
+	group = &build->corner[corner->group];
+	/* What add_vertex would find. */
+	if (group->vertex != NONE && !build->raw->colour &&
+	    build->normals != MESH_NORMALS_FACETS &&
+	    build->mesh->vertices - group->vertex <= COMPARED) {
+		*number = group->vertex;
+		return 0;
+	}
+	made_normal(build, corner, group->sum, normal);
+	ret = add_vertex(build, vertex, normal, first, number);
+	group->vertex = *number;
+	return ret;
+}
+
 static int build_place(struct build *build, uint32_t place)
 {
-	const uint32_t *list = build->places.corner + build->places.first[place];
-	uint32_t corners = build->places.first[place + 1] - build->places.first[place];
+	uint32_t begin = build->places.first[place];
+	uint32_t corners = build->places.first[place + 1] - begin;
 	uint32_t first = build->mesh->vertices;
 	int ret = 0;
 
-	for (uint32_t i = 0; i < corners; i++)
-		build->corner[i].number = list[i];
+	for (uint32_t i = 0; i < corners; i++) {
+		build->corner[i].triangle = build->places.corner[begin + i] / 3;
+		build->corner[i].which = build->places.corner[begin + i] % 3;
+	}
 	if (wants_normals(build, corners)) {
-		make_groups(build, corners);
+		make_groups(build, begin, corners);
 		sum_normals(build, corners);
 	}
 	for (uint32_t i = 0; i < corners && !ret; i++) {
-		uint32_t number = list[i], vertex = vertex_of(build, number, 0);
-		float normal[3];
+		const struct corner *corner = &build->corner[i];
 
-		given_normal(build, vertex, normal);
-		if (!has_area(normal))
-			made_normal(build, i, normal);
-		ret = add_vertex(build, vertex, normal, first,
-				 &build->mesh->triangle[number / 3][number % 3]);
+		ret = add_corner(build, i, first,
+				 &build->mesh->triangle[corner->triangle][corner->which]);
 	}
 	return ret;
 }
 
-static int begin(struct build *build)
+static bool all_given(const struct build *build)
+{
+	for (uint32_t i = 0; i < build->raw->vertices; i++) {
+		float normal[3];
+
+		given_normal(build, i, normal);
+		if (!has_area(normal))
+			return false;
+	}
+	return true;
+}
+
+static int begin_faces(struct build *build)
+{
+	build->face = malloc(build->raw->triangles * sizeof(*build->face));
+	build->last = calloc(build->raw->vertices, sizeof(*build->last));
+	if (!build->face || !build->last)
+		return -ENOMEM;
+	faces_make(build->raw, build->face);
+	return 0;
+}
+
+static int start(struct build *build)
 {
 	const struct mesh *raw = build->raw;
 	int ret = places_new(raw, &build->places);
 
 	if (ret)
 		return ret;
-	build->face = calloc(raw->triangles, sizeof(*build->face));
 	build->corner = calloc(build->places.most, sizeof(*build->corner));
-	build->end = calloc(build->places.most, 2 * sizeof(*build->end));
 	build->mesh->triangles = raw->triangles;
-	build->mesh->triangle = calloc(raw->triangles, sizeof(*build->mesh->triangle));
-	if (!build->face || !build->corner || !build->end || !build->mesh->triangle)
+	build->mesh->triangle = malloc(raw->triangles * sizeof(*build->mesh->triangle));
+	if (!build->corner || !build->mesh->triangle)
 		return -ENOMEM;
-	for (uint32_t i = 0; i < raw->triangles; i++)
-		face_normal(raw, i, build->face[i]);
-	return 0;
+	return all_given(build) ? 0 : begin_faces(build);
 }
 
 int mesh_build(const struct mesh *raw, enum mesh_normals normals, float crease, struct mesh *mesh)
@@ -350,19 +348,20 @@ int mesh_build(const struct mesh *raw, enum mesh_normals normals, float crease, 
 	struct build build = {
 		.raw = raw,
 		.normals = normals,
+		.given = normals == MESH_NORMALS_CREASED ? raw->normal : NULL,
 		.crease = cosf(crease * (3.14159265f / 180)),
 		.mesh = mesh,
 	};
 	int ret;
 
 	memset(mesh, 0, sizeof(*mesh));
-	ret = begin(&build);
+	ret = start(&build);
 	for (uint32_t i = 0; i < raw->vertices && !ret; i++)
 		ret = build_place(&build, i);
 	places_free(&build.places);
 	free(build.face);
 	free(build.corner);
-	free(build.end);
+	free(build.last);
 	if (ret)
 		mesh_free(mesh);
 	return ret;
