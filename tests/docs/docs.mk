@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What documents say, where a program can tell whether it is true.
 
-.PHONY: test-version test-links test-docs print-version
+.PHONY: test-version test-links test-docs test-guide print-version
 test-version: ## one version everywhere: that of the file VERSION
 	$(call quiet,TEST,version)
 	$(Q)tests/docs/version
@@ -16,6 +16,11 @@ CONSOLE_DOCS := docs/debugging-a-picture.md
 test-docs: $(BUILD)/libaccel.so $(BUILD)/gloss-decode $(BUILD)/sim/accel-sim-t64-k8.so ## commands in documents print what stands there
 	$(call quiet,TEST,docs)
 	$(Q)tests/docs/console $(BUILD) $(CONSOLE_DOCS)
+
+# In a copy of the tree, from which nothing is kept: a packet more, in the model, a core and the decoder.
+test-guide: ## the guide that adds a packet, step by step, on a copy of the tree
+	$(call quiet,TEST,docs/adding-a-packet.md)
+	$(Q)tests/docs/console --copy $(BUILD)/guide $(BUILD) docs/adding-a-packet.md
 
 .PHONY: pictures test-pictures
 pictures: $(BUILD)/gloss-view ## draw the pictures of the documents anew
@@ -32,4 +37,4 @@ test-pictures: $(BUILD)/gloss-view ## the documents' pictures are what gloss-vie
 print-version:
 	@echo $(ACCEL_VERSION)
 
-CHECKS += test-version test-links test-docs test-pictures
+CHECKS += test-version test-links test-docs test-guide test-pictures
