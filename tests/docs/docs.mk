@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What documents say, where a program can tell whether it is true.
 
-.PHONY: test-version test-links test-docs test-guide print-version
+.PHONY: test-version test-links test-drawings test-docs test-guide print-version
 test-version: ## one version everywhere: that of the file VERSION
 	$(call quiet,TEST,version)
 	$(Q)tests/docs/version
@@ -9,6 +9,10 @@ test-version: ## one version everywhere: that of the file VERSION
 test-links: ## the files that documents name are there
 	$(call quiet,TEST,links)
 	$(Q)tests/docs/links
+
+test-drawings: ## drawings name modules and signals that are there
+	$(call quiet,TEST,drawings)
+	$(Q)tests/docs/drawings docs/pictures/*.svg
 
 # Documents whose commands are run.
 CONSOLE_DOCS := docs/debugging-a-picture.md
@@ -37,4 +41,4 @@ test-pictures: $(BUILD)/gloss-view ## the documents' pictures are what gloss-vie
 print-version:
 	@echo $(ACCEL_VERSION)
 
-CHECKS += test-version test-links test-docs test-guide test-pictures
+CHECKS += test-version test-links test-drawings test-docs test-guide test-pictures
