@@ -171,8 +171,7 @@ const char *accel_device_why(const struct accel_device *device, int err)
 	return why ? why : strerror(-err);
 }
 
-/* With the lock held. */
-static void device_free_memory(struct accel_device *device)
+static void device_free_memory_locked(struct accel_device *device)
 {
 	struct accel_buffer *buffer = atomic_exchange(&device->freed, NULL);
 
@@ -189,7 +188,7 @@ static void device_free_memory(struct accel_device *device)
 static void device_free_left(struct accel_device *device)
 {
 	while (atomic_load(&device->freed) && !pthread_mutex_trylock(&device->lock)) {
-		device_free_memory(device);
+		device_free_memory_locked(device);
 		pthread_mutex_unlock(&device->lock);
 	}
 }
@@ -200,7 +199,7 @@ int accel_device_enter(struct accel_device *device, int *held)
 		return -ENODEV;
 	*held = accel_thread_hold_cancel();
 	pthread_mutex_lock(&device->lock);
-	device_free_memory(device);
+	device_free_memory_locked(device);
 	return 0;
 }
 
@@ -244,7 +243,7 @@ static void device_close(struct accel_device *device)
 	if (accel_device_is_inherited(device))
 		return;
 	held = accel_thread_hold_cancel();
-	device_free_memory(device);
+	device_free_memory_locked(device);
 	device->ops->close(device->state);
 	accel_thread_allow_cancel(held);
 	pthread_mutex_destroy(&device->lock);

@@ -12,7 +12,7 @@ endif
 
 # "usb:" takes libusb, likewise.
 ifeq ($(shell pkg-config --exists 'libusb-1.0 >= 1.0.21' 2>/dev/null && echo yes),yes)
-USB_SOURCES := $(addprefix transport/usb/, usb.c link.c message.c node.c pool.c sync.c where.c \
+USB_SOURCES := $(addprefix transport/usb/, usb.c link.c link_state.c message.c node.c pool.c sync.c where.c \
 	transfer.c watch.c clocks.c zero.c)
 USB_CFLAGS := -Idriver $(shell pkg-config --cflags libusb-1.0)
 USB_LIBS := $(shell pkg-config --libs libusb-1.0)

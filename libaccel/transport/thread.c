@@ -6,6 +6,7 @@
 #include "transport/thread.h"
 
 #define NS_PER_S 1000000000
+#define NS_PER_MS 1000000
 
 /* A longer wait is one for ever; the sum with the present still fits any time_t. */
 #define WAIT_MAX_S 1000000000
@@ -41,6 +42,11 @@ int64_t accel_thread_now_ns(void)
 
 	clock_gettime(CLOCK_MONOTONIC, &now);
 	return now.tv_sec * (int64_t)NS_PER_S + now.tv_nsec;
+}
+
+int64_t accel_thread_now_ms(void)
+{
+	return accel_thread_now_ns() / NS_PER_MS;
 }
 
 void accel_thread_condition_init(pthread_cond_t *condition)

@@ -19,6 +19,7 @@ void accel_thread_allow_cancel(int held);
 
 /* CLOCK_MONOTONIC */
 int64_t accel_thread_now_ns(void);
+int64_t accel_thread_now_ms(void);
 
 /* A condition for accel_thread_wait, which waits against a clock that nobody sets. */
 void accel_thread_condition_init(pthread_cond_t *condition);

@@ -46,8 +46,8 @@ static void clocks_add(uint64_t *sum, uint64_t *last, uint32_t now)
 	*last = now;
 }
 
-/* With its lock held. An error leaves all as it was. */
-static int clocks_update(struct accel_usb_link *link)
+/* With clocks.lock. An error leaves all as it was. */
+static int clocks_update_locked(struct accel_usb_link *link)
 {
 	struct accel_device_clocks *sum = &link->clocks.sum, *last = &link->clocks.last;
 	uint32_t stall[5];
@@ -74,7 +74,7 @@ void accel_usb_clocks_keep(struct accel_usb_link *link)
 	if (!link->boot)
 		return;
 	pthread_mutex_lock(&link->clocks.lock);
-	clocks_update(link);
+	clocks_update_locked(link);
 	pthread_mutex_unlock(&link->clocks.lock);
 }
 
@@ -96,14 +96,14 @@ static int clocks_check(struct accel_usb_link *link)
 	return !err && jobs ? -ENOTSUP : err;
 }
 
-int accel_usb_link_clocks(struct accel_usb_link *link, struct accel_device_clocks *clocks)
+int accel_usb_clocks_read(struct accel_usb_link *link, struct accel_device_clocks *clocks)
 {
 	int err;
 
 	if (accel_usb_link_is_gone(link))
 		return -ENODEV;
 	pthread_mutex_lock(&link->clocks.lock);
-	err = clocks_update(link);
+	err = clocks_update_locked(link);
 	if (!err)
 		err = clocks_check(link);
 	*clocks = link->clocks.sum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* Jobs of a link, and its thread. */
+/* A link's thread and its life; submitting jobs, and waiting for them. */
 #include <errno.h>
 #include <stdlib.h>
 #include <time.h>
@@ -9,163 +9,54 @@
 #include "transport/usb/link_priv.h"
 
 #define NS_PER_MS 1000000
-
-/* With as much in memory to be sent, a further job waits: more would not be sent any sooner. */
-#define QUEUED_MAX (4u << 20)
-
-/* A board that has failed so often, and done no job meanwhile, is of no use. */
-#define FAILURES_MAX 16
-
 #define MEMORY_PAUSE_MS 250
 
-/* When the thread has seen no job for a while, it looks no more, but is called. */
+/* A thread that has seen no job for a while sleeps until a job wakes it, at most for this long. */
 #define SLEEP_MS 60000
-
-/* ---- jobs ---- */
-
-struct accel_usb_job *accel_usb_job_new(struct accel_usb_link *link, size_t words)
-{
-	struct accel_usb_job *job = malloc(sizeof(*job));
-
-	if (!job)
-		return NULL;
-	*job = (struct accel_usb_job){ .message = accel_usb_pool_get(&link->pool, words) };
-	if (!job->message) {
-		free(job);
-		return NULL;
-	}
-	job->bytes = words * sizeof(uint32_t);
-	return job;
-}
-
-void accel_usb_job_free(struct accel_usb_link *link, struct accel_usb_job *job)
-{
-	accel_usb_pool_put(&link->pool, job->message);
-	free(job);
-}
-
-/* The functions from here on are called with the lock held. */
-/* Jobs end nearly in their order, so it is among the first. */
-static void link_remove(struct accel_usb_link *link, const struct accel_usb_job *job)
-{
-	struct accel_usb_job **at = &link->first;
-
-	while (*at != job)
-		at = &(*at)->next;
-	*at = job->next;
-	if (!job->next)
-		link->last = at;
-}
-
-static void job_end(struct accel_usb_link *link, struct accel_usb_job *job, int error)
-{
-	link_remove(link, job);
-	job->ended = true;
-	job->error = error;
-	link->running--;
-	if (!error && !job->must)
-		link->failures = 0;
-	if (job->forgotten) {
-		accel_job_table_take(&link->jobs, &job->entry);
-		accel_usb_job_free(link, job);
-	} else {
-		pthread_cond_broadcast(&link->ended);
-	}
-}
-
-void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job)
-{
-	if (job->sent == job->bytes) {
-		accel_usb_pool_put(&link->pool, job->message);
-		job->message = NULL;
-		if (job->answered)
-			job_end(link, job, 0);
-	}
-	if (link->waiting && link->queued < QUEUED_MAX)
-		pthread_cond_broadcast(&link->room);
-}
-
-/* Nothing of them is in flight any more. */
-static void link_lose(struct accel_usb_link *link, int error)
-{
-	while (link->first)
-		job_end(link, link->first, error);
-	link->sending = link->answering = NULL;
-	link->queued = 0;
-	link->losses++;
-	pthread_cond_broadcast(&link->room);
-}
-
-/* After a sync: what was before it is lost, and jobs are sent again. With the lock held. */
-static void link_begin(struct accel_usb_link *link)
-{
-	link_lose(link, link->broken_by);
-	if (link->state == USB_LINK_STARTING)
-		link->state = USB_LINK_READY;
-}
 
 /* ---- the thread ---- */
 
-/* With the lock held. It may be where it waits for events, or about to. */
-static void link_wake(struct accel_usb_link *link)
-{
-	link->asleep = false;
-	libusb_interrupt_event_handler(link->node->context);
-}
-
-void accel_usb_link_break(struct accel_usb_link *link, int err)
-{
-	if (link->state < USB_LINK_BROKEN) {
-		link->state = USB_LINK_BROKEN;
-		link->broken_by = err;
-	}
-	if (err == -ENODEV)
-		link->state = USB_LINK_GONE;
-	if (link->asleep)
-		link_wake(link);
-}
-
-/* With the lock held, which it gives up meanwhile. The board is well, and will be tried again. */
-static void link_wait_for_memory(struct accel_usb_link *link)
+/* Gives the lock up meanwhile. The board is well, and will be tried again. */
+static void link_wait_for_memory_locked(struct accel_usb_link *link)
 {
 	const struct timespec pause = { 0, MEMORY_PAUSE_MS * NS_PER_MS };
 
-	link_lose(link, -ENOMEM);
+	accel_usb_link_lose_locked(link, -ENOMEM);
 	pthread_mutex_unlock(&link->lock);
 	nanosleep(&pause, NULL);
 	pthread_mutex_lock(&link->lock);
 }
 
 /*
- * With the lock held, which it gives up meanwhile. What has become of the jobs is only known when
+ * Gives the lock up meanwhile. What has become of the jobs is only known when
  * the board works again, or is gone: that a cable is unplugged can look like any error at first.
  */
-static void link_recover(struct accel_usb_link *link)
+static void link_recover_locked(struct accel_usb_link *link)
 {
 	int err;
 
 	if (link->broken_by == -ENOMEM)
-		accel_usb_transfers_less(link);
+		accel_usb_transfers_less_locked(link);
 	else
-		accel_usb_transfers_most(link);
+		accel_usb_transfers_most_locked(link);
 	pthread_mutex_unlock(&link->lock);
-	err = accel_usb_link_drain(link) ? accel_usb_link_sync(link) : -ENODEV;
+	err = accel_usb_sync_drain(link) ? accel_usb_sync(link) : -ENODEV;
 	pthread_mutex_lock(&link->lock);
 	if (err == -ENOMEM)
-		link_wait_for_memory(link);
-	else if (err || ++link->failures >= FAILURES_MAX)
+		link_wait_for_memory_locked(link);
+	else if (err || ++link->failures >= USB_FAILURES_MAX)
 		link->state = USB_LINK_GONE;
 	else
-		link_begin(link);
+		accel_usb_link_begin_locked(link);
 }
 
-/* Likewise. */
-static void link_handle(struct accel_usb_link *link)
+/* Gives the lock up while events come. */
+static void link_handle_locked(struct accel_usb_link *link)
 {
 	int ms;
 
-	accel_usb_transfers_send(link);
-	ms = accel_usb_link_watch(link);
+	accel_usb_transfers_send_locked(link);
+	ms = accel_usb_watch_locked(link);
 	if (link->state != USB_LINK_READY)
 		return;
 	link->asleep = !ms;
@@ -182,15 +73,15 @@ static void *link_thread(void *argument)
 	pthread_mutex_lock(&link->lock);
 	while (!link->stop && link->state != USB_LINK_GONE) {
 		if (link->state == USB_LINK_BROKEN)
-			link_recover(link);
+			link_recover_locked(link);
 		else
-			link_handle(link);
+			link_handle_locked(link);
 	}
 	link->state = USB_LINK_GONE;
 	pthread_mutex_unlock(&link->lock);
-	accel_usb_link_drain(link);
+	accel_usb_sync_drain(link);
 	pthread_mutex_lock(&link->lock);
-	link_lose(link, -ENODEV);
+	accel_usb_link_lose_locked(link, -ENODEV);
 	pthread_mutex_unlock(&link->lock);
 	return NULL;
 }
@@ -231,14 +122,14 @@ int accel_usb_link_new(struct accel_usb_node *node, struct accel_usb_link **out)
 	link->node = node;
 	link->last = &link->first;
 	accel_job_table_init(&link->jobs);
-	accel_usb_transfers_most(link);
+	accel_usb_transfers_most_locked(link);
 	link_init_locks(link);
 	err = accel_usb_transfers_init(link);
 	if (!err)
-		err = accel_usb_link_sync(link);
+		err = accel_usb_sync(link);
 	if (err)
 		goto err_destroy;
-	link_begin(link);
+	accel_usb_link_begin_locked(link);
 	err = accel_thread_new(&link->thread, link_thread, link);
 	if (err)
 		goto err_drain;
@@ -249,7 +140,7 @@ err_drain:
 	pthread_mutex_lock(&link->lock);
 	link->state = USB_LINK_GONE;
 	pthread_mutex_unlock(&link->lock);
-	accel_usb_link_drain(link);
+	accel_usb_sync_drain(link);
 err_destroy:
 	link_destroy(link);
 	return err;
@@ -259,65 +150,25 @@ void accel_usb_link_free(struct accel_usb_link *link)
 {
 	pthread_mutex_lock(&link->lock);
 	link->stop = true;
-	link_wake(link);
+	accel_usb_link_wake_locked(link);
 	pthread_mutex_unlock(&link->lock);
 	pthread_join(link->thread, NULL);
 	link_destroy(link);
 }
 
-bool accel_usb_link_is_gone(struct accel_usb_link *link)
-{
-	bool gone;
-
-	pthread_mutex_lock(&link->lock);
-	gone = link->state == USB_LINK_GONE;
-	pthread_mutex_unlock(&link->lock);
-	return gone;
-}
-
-const char *accel_usb_link_why(struct accel_usb_link *link, int err)
-{
-	const char *why = "the board is unplugged, or does not answer";
-
-	if (err == -ENOMEM)
-		return USB_NO_MEMORY;
-	if (err != -ENODEV)
-		return NULL;
-	pthread_mutex_lock(&link->lock);
-	if (link->node->stuck)
-		why = "transfers on USB do not end";
-	else if (link->powerless)
-		why = "the board has lost its power, and what its memory held; open it again";
-	else if (link->failures >= FAILURES_MAX)
-		why = "the board fails again and again";
-	pthread_mutex_unlock(&link->lock);
-	return why;
-}
-
 /* ---- submitting ---- */
-
-uint64_t accel_usb_link_losses(struct accel_usb_link *link)
-{
-	uint64_t losses;
-
-	pthread_mutex_lock(&link->lock);
-	losses = link->losses;
-	pthread_mutex_unlock(&link->lock);
-	return losses;
-}
 
 void accel_usb_link_wait_for_room(struct accel_usb_link *link)
 {
 	pthread_mutex_lock(&link->lock);
 	link->waiting++;
-	while (link->state != USB_LINK_GONE && link->queued >= QUEUED_MAX)
+	while (link->state != USB_LINK_GONE && link->queued >= USB_QUEUED_MAX)
 		pthread_cond_wait(&link->room, &link->lock);
 	link->waiting--;
 	pthread_mutex_unlock(&link->lock);
 }
 
-/* With the lock held. */
-static void link_append(struct accel_usb_link *link, struct accel_usb_job *job)
+static void link_append_locked(struct accel_usb_link *link, struct accel_usb_job *job)
 {
 	accel_job_table_put(&link->jobs, &job->entry, ++link->sequence);
 	job->answer.sequence = job->message->word[GLOSS_USB_JOB_SEQUENCE_WORD] =
@@ -331,9 +182,9 @@ static void link_append(struct accel_usb_link *link, struct accel_usb_job *job)
 	link->queued += job->bytes;
 	link->running++;
 	link->moves++;
-	accel_usb_transfers_send(link);
+	accel_usb_transfers_send_locked(link);
 	if (link->asleep)
-		link_wake(link);
+		accel_usb_link_wake_locked(link);
 }
 
 int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job,
@@ -347,7 +198,7 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 	else if (link->losses != losses)
 		err = -EAGAIN;
 	if (!err) {
-		link_append(link, job);
+		link_append_locked(link, job);
 		*sequence = link->sequence;
 	}
 	pthread_mutex_unlock(&link->lock);
@@ -355,11 +206,6 @@ int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job
 }
 
 /* ---- waiting ---- */
-
-int64_t accel_usb_link_now_ms(void)
-{
-	return accel_thread_now_ns() / NS_PER_MS;
-}
 
 /* The job's result, of which nothing is kept. */
 static int job_result(struct accel_usb_link *link, struct accel_usb_job *job,

@@ -45,7 +45,7 @@ bool accel_usb_link_is_gone(struct accel_usb_link *link);
 /* What is behind @err of a job, for people; NULL: that says it all. */
 const char *accel_usb_link_why(struct accel_usb_link *link, int err);
 /* As struct accel_transport_ops.clocks. */
-int accel_usb_link_clocks(struct accel_usb_link *link, struct accel_device_clocks *clocks);
+int accel_usb_clocks_read(struct accel_usb_link *link, struct accel_device_clocks *clocks);
 
 /* A job with room for a message of @words words; NULL: out of memory. */
 struct accel_usb_job *accel_usb_job_new(struct accel_usb_link *link, size_t words);

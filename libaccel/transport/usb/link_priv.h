@@ -14,6 +14,12 @@
 #define USB_OUT_BYTES_MIN (4u << 10)
 #define USB_IN_BYTES_MIN (16u << 10)
 
+/* With as much in memory to be sent, a further job waits: more would not be sent any sooner. */
+#define USB_QUEUED_MAX (4u << 20)
+
+/* A board that has failed so often, and done no job meanwhile, is of no use. */
+#define USB_FAILURES_MAX 16
+
 enum usb_link_state {
 	USB_LINK_STARTING,		/* the sync is on its way */
 	USB_LINK_READY,
@@ -95,48 +101,58 @@ struct accel_usb_link {
 	struct accel_usb_job *answering;	/* the first not answered */
 };
 
-/* transfer.c. All but accel_usb_transfers_handle are called with the lock held. */
+/*
+ * Files from below to above; each calls those above it in this list. A function whose name ends in
+ * _locked is called with link->lock held; where it gives that up meanwhile, it says so.
+ */
+
+/* link_state.c */
+/* The link has failed, as the jobs are to be told (-EIO, -ENOMEM), or is gone (-ENODEV). */
+void accel_usb_link_break_locked(struct accel_usb_link *link, int err);
+/* The thread may be where it waits for events, or about to. */
+void accel_usb_link_wake_locked(struct accel_usb_link *link);
+/* All of the job was sent, or answered. */
+void accel_usb_link_job_moved_locked(struct accel_usb_link *link, struct accel_usb_job *job);
+/* All jobs end with @error. Nothing of them is in flight any more. */
+void accel_usb_link_lose_locked(struct accel_usb_link *link, int error);
+/* After a sync: what was before it is lost, and jobs are sent again. */
+void accel_usb_link_begin_locked(struct accel_usb_link *link);
+
+/* transfer.c */
 /* -ENOMEM: and some are there. */
 int accel_usb_transfers_init(struct accel_usb_link *link);
 void accel_usb_transfers_fini(struct accel_usb_link *link);
 /* Begins to read, and sends a sync with @nonce. The link is starting. -ENOMEM: the kernel has none
  * for that. */
-int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce);
+int accel_usb_transfers_start_locked(struct accel_usb_link *link, uint32_t nonce);
 /* As many and as long ones as there may be are to be started next time, or about half of what was
  * started last; false: that was the least. */
-void accel_usb_transfers_most(struct accel_usb_link *link);
-bool accel_usb_transfers_less(struct accel_usb_link *link);
+void accel_usb_transfers_most_locked(struct accel_usb_link *link);
+bool accel_usb_transfers_less_locked(struct accel_usb_link *link);
 /* Twice as much may be in flight, if there is memory for that again. */
-void accel_usb_transfers_more(struct accel_usb_link *link);
+void accel_usb_transfers_more_locked(struct accel_usb_link *link);
 /* Sends what can be sent of the jobs, and reads again where there was no memory for it. */
-void accel_usb_transfers_send(struct accel_usb_link *link);
-void accel_usb_transfers_cancel(struct accel_usb_link *link);
-/* Lets callbacks come, at most for a time. */
+void accel_usb_transfers_send_locked(struct accel_usb_link *link);
+void accel_usb_transfers_cancel_locked(struct accel_usb_link *link);
+/* Without the lock: lets callbacks come, at most for a time. */
 void accel_usb_transfers_handle(struct accel_usb_link *link, int ms);
 
-/* link.c, with the lock held. */
-/* The link has failed, as the jobs are to be told (-EIO, -ENOMEM), or is gone (-ENODEV). */
-void accel_usb_link_break(struct accel_usb_link *link, int err);
-/* All of the job was sent, or answered. */
-void accel_usb_link_job_moved(struct accel_usb_link *link, struct accel_usb_job *job);
-
-/* watch.c, with the lock held, which it gives up while it asks the board. Breaks a link
- * that stands still; milliseconds until it is to be called again, 0: when there is a job. */
-int accel_usb_link_watch(struct accel_usb_link *link);
-
-/* sync.c, without the lock. */
-/* Ends what is in flight. False: that can not be done, so what it uses must stay for ever. */
-bool accel_usb_link_drain(struct accel_usb_link *link);
-/* Resets the board and finds the beginning of IN; the link is starting still. -EIO, -ENODEV,
- * -ENOMEM. */
-int accel_usb_link_sync(struct accel_usb_link *link);
-
-/* clocks.c, in the thread, without the lock. */
+/* clocks.c, in the thread, without the lock */
 /* Adds what was counted since the last time, if the board says. */
 void accel_usb_clocks_keep(struct accel_usb_link *link);
 /* They begin again. */
 void accel_usb_clocks_restart(struct accel_usb_link *link);
 
-int64_t accel_usb_link_now_ms(void);
+/* watch.c */
+/* Breaks a link that stands still; milliseconds until it is to be called again, 0: when there is a
+ * job. It gives the lock up while it asks the board. */
+int accel_usb_watch_locked(struct accel_usb_link *link);
+
+/* sync.c, without the lock */
+/* Ends what is in flight. False: that can not be done, so what it uses must stay for ever. */
+bool accel_usb_sync_drain(struct accel_usb_link *link);
+/* Resets the board and finds the beginning of IN; the link is starting still. -EIO, -ENODEV,
+ * -ENOMEM. */
+int accel_usb_sync(struct accel_usb_link *link);
 
 #endif

@@ -62,8 +62,8 @@ struct accel_usb_buffer *accel_usb_pool_get(struct accel_usb_pool *pool, size_t 
 	return buffer;
 }
 
-/* Takes out what is past the bound. Called with the lock held. */
-static struct accel_usb_buffer *pool_trim(struct accel_usb_pool *pool)
+/* Takes out what is past the bound. */
+static struct accel_usb_buffer *pool_trim_locked(struct accel_usb_pool *pool)
 {
 	struct accel_usb_buffer **link = &pool->unused, *out = NULL;
 	unsigned int buffers = 0;
@@ -94,7 +94,7 @@ void accel_usb_pool_put(struct accel_usb_pool *pool, struct accel_usb_buffer *bu
 	pthread_mutex_lock(&pool->lock);
 	buffer->next = pool->unused;
 	pool->unused = buffer;
-	out = pool_trim(pool);
+	out = pool_trim_locked(pool);
 	pthread_mutex_unlock(&pool->lock);
 	pool_free_list(out);
 }

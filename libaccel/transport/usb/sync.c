@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "gloss_regs.h"
+#include "transport/thread.h"
 #include "transport/usb/link_priv.h"
 
 #define ATTEMPTS 3
@@ -29,14 +30,14 @@ static void sync_pause(int ms)
 }
 
 /* Cancelling is repeated: a call that fails must not make this wait for ever. */
-bool accel_usb_link_drain(struct accel_usb_link *link)
+bool accel_usb_sync_drain(struct accel_usb_link *link)
 {
-	int64_t deadline = accel_usb_link_now_ms() + DRAIN_MS;
+	int64_t deadline = accel_thread_now_ms() + DRAIN_MS;
 	bool drained;
 
 	pthread_mutex_lock(&link->lock);
-	while (link->in_flight && !link->node->stuck && accel_usb_link_now_ms() < deadline) {
-		accel_usb_transfers_cancel(link);
+	while (link->in_flight && !link->node->stuck && accel_thread_now_ms() < deadline) {
+		accel_usb_transfers_cancel_locked(link);
 		pthread_mutex_unlock(&link->lock);
 		accel_usb_transfers_handle(link, HANDLE_MS);
 		pthread_mutex_lock(&link->lock);
@@ -87,7 +88,7 @@ static int sync_claim(struct accel_usb_link *link)
 /* The board forgets what it was doing. */
 static int sync_reset(struct accel_usb_link *link)
 {
-	int64_t deadline = accel_usb_link_now_ms() + RESET_MS;
+	int64_t deadline = accel_thread_now_ms() + RESET_MS;
 	uint32_t control = 0;
 	int err;
 
@@ -97,7 +98,7 @@ static int sync_reset(struct accel_usb_link *link)
 		err = accel_usb_node_read(link->node, GLOSS_REG_CONTROL, &control);
 		if (err || !(control & GLOSS_REG_CONTROL_RESET))
 			break;
-		if (accel_usb_link_now_ms() >= deadline)
+		if (accel_thread_now_ms() >= deadline)
 			return -EIO;
 		sync_pause(1);
 	}
@@ -132,33 +133,33 @@ static int sync_set_boot(struct accel_usb_link *link)
 	return err;
 }
 
-/* With the lock held, which it gives up while it waits. */
-static void sync_wait(struct accel_usb_link *link)
+/* Gives the lock up while it waits. */
+static void sync_wait_locked(struct accel_usb_link *link)
 {
-	int64_t deadline = accel_usb_link_now_ms() + ECHO_MS;
+	int64_t deadline = accel_thread_now_ms() + ECHO_MS;
 
 	while (link->state == USB_LINK_STARTING && !link->synchronised && !link->stop &&
-	       accel_usb_link_now_ms() < deadline) {
+	       accel_thread_now_ms() < deadline) {
 		pthread_mutex_unlock(&link->lock);
 		accel_usb_transfers_handle(link, HANDLE_MS);
 		pthread_mutex_lock(&link->lock);
 	}
 }
 
-/* With the lock held, which it gives up while it waits. */
+/* Gives the lock up while it waits. */
 static int sync_echo_locked(struct accel_usb_link *link, uint32_t nonce)
 {
 	int err = 0;
 
 	if (link->state != USB_LINK_GONE) {
 		link->state = USB_LINK_STARTING;
-		err = accel_usb_transfers_start(link, nonce);
+		err = accel_usb_transfers_start_locked(link, nonce);
 	}
 	if (!err)
-		sync_wait(link);
+		sync_wait_locked(link);
 	if (!err && link->state == USB_LINK_STARTING && link->synchronised)
 		return 0;
-	accel_usb_link_break(link, err ? err : -EIO);
+	accel_usb_link_break_locked(link, err ? err : -EIO);
 	if (link->state == USB_LINK_GONE)
 		return -ENODEV;
 	return err == -ENOMEM ? err : -EIO;
@@ -172,7 +173,7 @@ static int sync_echo(struct accel_usb_link *link, uint32_t nonce)
 	pthread_mutex_lock(&link->lock);
 	err = sync_echo_locked(link, nonce);
 	pthread_mutex_unlock(&link->lock);
-	if (err && !accel_usb_link_drain(link))
+	if (err && !accel_usb_sync_drain(link))
 		err = -ENODEV;
 	return err;
 }
@@ -202,9 +203,9 @@ static int sync_check_boot(struct accel_usb_link *link)
 	if (!err)
 		return 0;
 	pthread_mutex_lock(&link->lock);
-	accel_usb_link_break(link, err);
+	accel_usb_link_break_locked(link, err);
 	pthread_mutex_unlock(&link->lock);
-	return accel_usb_link_drain(link) ? err : -ENODEV;
+	return accel_usb_sync_drain(link) ? err : -ENODEV;
 }
 
 static int sync_once(struct accel_usb_link *link)
@@ -240,12 +241,22 @@ static int sync_attempts(struct accel_usb_link *link)
 	return err;
 }
 
-int accel_usb_link_sync(struct accel_usb_link *link)
+static bool sync_less(struct accel_usb_link *link)
+{
+	bool less;
+
+	pthread_mutex_lock(&link->lock);
+	less = accel_usb_transfers_less_locked(link);
+	pthread_mutex_unlock(&link->lock);
+	return less;
+}
+
+int accel_usb_sync(struct accel_usb_link *link)
 {
 	int err;
 
 	do {
 		err = sync_attempts(link);
-	} while (err == -ENOMEM && accel_usb_transfers_less(link));
+	} while (err == -ENOMEM && sync_less(link));
 	return err;
 }

@@ -10,8 +10,8 @@
 
 /* ---- submitting ---- */
 
-/* With the lock held. -ENOMEM: there is none at the moment; else the link is broken by an error. */
-static int transfer_submit(struct usb_transfer *transfer)
+/* -ENOMEM: there is none at the moment; else the link is broken by an error. */
+static int transfer_submit_locked(struct usb_transfer *transfer)
 {
 	struct accel_usb_link *link = transfer->link;
 	int err;
@@ -19,7 +19,7 @@ static int transfer_submit(struct usb_transfer *transfer)
 	transfer->transfer->dev_handle = link->node->handle;
 	err = accel_usb_node_error(libusb_submit_transfer(transfer->transfer));
 	if (err && err != -ENOMEM)
-		accel_usb_link_break(link, err);
+		accel_usb_link_break_locked(link, err);
 	if (err)
 		return err;
 	transfer->in_flight = true;
@@ -42,7 +42,7 @@ static int in_submit(struct accel_usb_link *link, struct usb_transfer *in)
 	int err;
 
 	in->transfer->length = (int)link->in_bytes;
-	err = transfer_submit(in);
+	err = transfer_submit_locked(in);
 	if (err)
 		return err;
 	in->queued = true;
@@ -79,13 +79,13 @@ static int in_submit_some(struct accel_usb_link *link)
 	return err;
 }
 
-void accel_usb_transfers_most(struct accel_usb_link *link)
+void accel_usb_transfers_most_locked(struct accel_usb_link *link)
 {
 	link->in_count = USB_IN_TRANSFERS;
 	link->in_bytes = link->out_bytes = USB_TRANSFER_BYTES;
 }
 
-bool accel_usb_transfers_less(struct accel_usb_link *link)
+bool accel_usb_transfers_less_locked(struct accel_usb_link *link)
 {
 	return bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN) || bytes_halve(&link->in_count, 1);
 }
@@ -95,7 +95,7 @@ static void double_up_to(unsigned int *count, unsigned int max)
 	*count = *count > max / 2 ? max : 2 * *count;
 }
 
-void accel_usb_transfers_more(struct accel_usb_link *link)
+void accel_usb_transfers_more_locked(struct accel_usb_link *link)
 {
 	double_up_to(&link->in_count, USB_IN_TRANSFERS);
 	double_up_to(&link->in_bytes, USB_TRANSFER_BYTES);
@@ -141,7 +141,7 @@ static int out_submit(struct usb_transfer *out, struct accel_usb_job *job, void 
 	out->job = job;
 	out->transfer->buffer = bytes;
 	out->transfer->length = (int)count;
-	return transfer_submit(out);
+	return transfer_submit_locked(out);
 }
 
 /* What comes next of @job. */
@@ -177,7 +177,7 @@ static bool out_in_flight(const struct accel_usb_link *link)
 }
 
 /* What there is no memory for is sent when a transfer has ended, or the thread looks again. */
-void accel_usb_transfers_send(struct accel_usb_link *link)
+void accel_usb_transfers_send_locked(struct accel_usb_link *link)
 {
 	struct usb_transfer *out;
 	int err;
@@ -191,7 +191,7 @@ void accel_usb_transfers_send(struct accel_usb_link *link)
 		link->starved = true;
 }
 
-int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce)
+int accel_usb_transfers_start_locked(struct accel_usb_link *link, uint32_t nonce)
 {
 	const struct gloss_usb_sync sync = {
 		.mark = GLOSS_USB_SYNC_MAGIC,
@@ -213,7 +213,7 @@ int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce)
 	err = in_submit_all(link);
 	if (err)
 		return err;
-	err = transfer_submit(&link->event);
+	err = transfer_submit_locked(&link->event);
 	if (err && err != -ENOMEM)
 		return err;
 	return out_submit(&link->out[0], NULL, link->sync_words, sizeof(link->sync_words));
@@ -221,8 +221,8 @@ int accel_usb_transfers_start(struct accel_usb_link *link, uint32_t nonce)
 
 /* ---- what has ended ---- */
 
-/* With the lock held. True: it is to be looked at. */
-static bool transfer_end(struct usb_transfer *transfer, bool *halted)
+/* True: it is to be looked at. */
+static bool transfer_end_locked(struct usb_transfer *transfer, bool *halted)
 {
 	struct accel_usb_link *link = transfer->link;
 
@@ -232,7 +232,7 @@ static bool transfer_end(struct usb_transfer *transfer, bool *halted)
 	case LIBUSB_TRANSFER_COMPLETED:
 		return link->state < USB_LINK_BROKEN;
 	case LIBUSB_TRANSFER_NO_DEVICE:
-		accel_usb_link_break(link, -ENODEV);
+		accel_usb_link_break_locked(link, -ENODEV);
 		return false;
 	case LIBUSB_TRANSFER_STALL:
 		*halted = true;
@@ -249,14 +249,14 @@ static void out_ended(struct libusb_transfer *transfer)
 	struct accel_usb_link *link = out->link;
 
 	pthread_mutex_lock(&link->lock);
-	if (!transfer_end(out, &link->halted_out) || transfer->actual_length != transfer->length) {
-		accel_usb_link_break(link, -EIO);
+	if (!transfer_end_locked(out, &link->halted_out) || transfer->actual_length != transfer->length) {
+		accel_usb_link_break_locked(link, -EIO);
 	} else if (out->job) {
 		link->moves++;
 		link->queued -= (size_t)transfer->length;
 		out->job->sent += (size_t)transfer->length;
-		accel_usb_link_job_moved(link, out->job);
-		accel_usb_transfers_send(link);
+		accel_usb_link_job_moved_locked(link, out->job);
+		accel_usb_transfers_send_locked(link);
 	}
 	pthread_mutex_unlock(&link->lock);
 }
@@ -277,12 +277,12 @@ static bool in_message(struct accel_usb_link *link, enum accel_usb_message messa
 			break;
 		job->answered = true;
 		link->answering = job->next;
-		accel_usb_link_job_moved(link, job);
+		accel_usb_link_job_moved_locked(link, job);
 		return true;
 	default:
 		break;
 	}
-	accel_usb_link_break(link, -EIO);
+	accel_usb_link_break_locked(link, -EIO);
 	return false;
 }
 
@@ -316,9 +316,9 @@ static void in_ended(struct libusb_transfer *transfer)
 	pthread_mutex_lock(&link->lock);
 	if (in->gives_way && transfer->status == LIBUSB_TRANSFER_CANCELLED)
 		transfer->status = LIBUSB_TRANSFER_COMPLETED;
-	in->ended = transfer_end(in, &link->halted_in);
+	in->ended = transfer_end_locked(in, &link->halted_in);
 	if (!in->ended)
-		accel_usb_link_break(link, -EIO);
+		accel_usb_link_break_locked(link, -EIO);
 	while (link->state < USB_LINK_BROKEN && link->in_first && link->in_first->ended) {
 		in = link->in_first;
 		link->in_first = in->next;
@@ -329,7 +329,7 @@ static void in_ended(struct libusb_transfer *transfer)
 		if (in_take(link, in->transfer))
 			in_submit_some(link);
 	}
-	accel_usb_transfers_send(link);
+	accel_usb_transfers_send_locked(link);
 	pthread_mutex_unlock(&link->lock);
 }
 
@@ -341,19 +341,19 @@ static void event_ended(struct libusb_transfer *transfer)
 	struct gloss_usb_event what;
 
 	pthread_mutex_lock(&link->lock);
-	if (transfer_end(event, &link->halted_event)) {
+	if (transfer_end_locked(event, &link->halted_event)) {
 		gloss_usb_event_unpack(link->event_words, &what);
 		if (transfer->actual_length == sizeof(link->event_words) &&
 		    what.mark == GLOSS_USB_EVENT_MAGIC && what.lost)
 			link->hint = true;
-		transfer_submit(event);
+		transfer_submit_locked(event);
 	}
 	pthread_mutex_unlock(&link->lock);
 }
 
 /* ---- all of them ---- */
 
-void accel_usb_transfers_cancel(struct accel_usb_link *link)
+void accel_usb_transfers_cancel_locked(struct accel_usb_link *link)
 {
 	unsigned int i;
 

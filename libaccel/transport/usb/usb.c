@@ -422,7 +422,7 @@ static int transport_usb_clocks(void *state, struct accel_device_clocks *clocks)
 {
 	struct transport_usb *transport = state;
 
-	return accel_usb_link_clocks(transport->link, clocks);
+	return accel_usb_clocks_read(transport->link, clocks);
 }
 
 static const char *transport_usb_why(void *state, int err)

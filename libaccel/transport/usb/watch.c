@@ -3,10 +3,11 @@
 #include <errno.h>
 
 #include "gloss_regs.h"
+#include "transport/thread.h"
 #include "transport/usb/link_priv.h"
 
-/* So often, so far apart, nothing may be seen to move. Looks are counted, not time, because a
- * machine that was stopped meanwhile has not looked. */
+/* A board in which nothing has moved at this many looks, this far apart, has stopped. Looks are
+ * counted, not time, because a machine that was stopped meanwhile has not looked. */
 #define LOOKS 8
 #define LOOK_MS 250
 #define LOOKS_IDLE 4
@@ -39,8 +40,8 @@ static bool watch_progress(struct accel_usb_link *link, uint32_t progress)
 	return true;
 }
 
-/* With the lock held, which it gives up meanwhile: the board is asked. */
-static bool watch_ask(struct accel_usb_link *link)
+/* Gives the lock up while the board is asked. */
+static bool watch_ask_locked(struct accel_usb_link *link)
 {
 	uint64_t moves = link->moves;
 	uint32_t progress;
@@ -50,12 +51,12 @@ static bool watch_ask(struct accel_usb_link *link)
 	err = accel_usb_node_read(link->node, GLOSS_REG_PROGRESS, &progress);
 	pthread_mutex_lock(&link->lock);
 	if (err == -ENODEV)
-		accel_usb_link_break(link, err);
+		accel_usb_link_break_locked(link, err);
 	return link->moves != moves || (!err && watch_progress(link, progress));
 }
 
-/* Likewise. An event says that the channel is lost: the board knows. */
-static void watch_hint(struct accel_usb_link *link)
+/* Gives the lock up meanwhile. An event says that the channel is lost: the board knows. */
+static void watch_hint_locked(struct accel_usb_link *link)
 {
 	uint32_t status;
 	int err;
@@ -65,23 +66,23 @@ static void watch_hint(struct accel_usb_link *link)
 	err = accel_usb_node_read(link->node, GLOSS_REG_STATUS, &status);
 	pthread_mutex_lock(&link->lock);
 	if (err != -ENOMEM && (err || status & GLOSS_REG_STATUS_LOST))
-		accel_usb_link_break(link, err ? err : -EIO);
+		accel_usb_link_break_locked(link, err ? err : -EIO);
 }
 
-static void watch_look(struct accel_usb_link *link)
+static void watch_look_locked(struct accel_usb_link *link)
 {
 	struct usb_watch *watch = &link->watch;
 
-	if (link->running && watch_ask(link))
+	if (link->running && watch_ask_locked(link))
 		watch->still = 0;
 	else
 		watch->still++;
 	if (link->running && watch->still >= LOOKS)
-		accel_usb_link_break(link, link->starved ? -ENOMEM : -EIO);
+		accel_usb_link_break_locked(link, link->starved ? -ENOMEM : -EIO);
 }
 
-/* Likewise. Counters of 32 bits wrap while there is always a job. */
-static void watch_clocks(struct accel_usb_link *link, int64_t now)
+/* Gives the lock up while it reads. Counters of 32 bits wrap while there is always a job. */
+static void watch_clocks_locked(struct accel_usb_link *link, int64_t now)
 {
 	if (!link->running || now < link->clocks.next_ms)
 		return;
@@ -91,23 +92,23 @@ static void watch_clocks(struct accel_usb_link *link, int64_t now)
 	pthread_mutex_lock(&link->lock);
 }
 
-int accel_usb_link_watch(struct accel_usb_link *link)
+int accel_usb_watch_locked(struct accel_usb_link *link)
 {
 	struct usb_watch *watch = &link->watch;
-	int64_t now = accel_usb_link_now_ms();
+	int64_t now = accel_thread_now_ms();
 
 	if (link->hint)
-		watch_hint(link);
-	watch_clocks(link, now);
+		watch_hint_locked(link);
+	watch_clocks_locked(link, now);
 	if (now >= link->more_ms) {
-		accel_usb_transfers_more(link);
+		accel_usb_transfers_more_locked(link);
 		link->more_ms = now + MORE_MS;
 	}
 	if (watch->moves != link->moves)
 		*watch = (struct usb_watch){ .moves = link->moves, .next_ms = now + LOOK_MS };
 	if (now >= watch->next_ms) {
-		watch_look(link);
-		watch->next_ms = accel_usb_link_now_ms() + LOOK_MS;
+		watch_look_locked(link);
+		watch->next_ms = accel_thread_now_ms() + LOOK_MS;
 	}
 	return link->running || watch->still < LOOKS_IDLE ? LOOK_MS : 0;
 }
