@@ -3,7 +3,7 @@
 
 # "drm:" takes libdrm; without it the library says so when it is asked for a PCI board.
 ifeq ($(shell pkg-config --exists 'libdrm >= 2.4.99' 2>/dev/null && echo yes),yes)
-DRM_SOURCES := $(addprefix transport/drm/, drm.c node.c pool.c)
+DRM_SOURCES := $(addprefix transport/drm/, drm.c node.c buffer.c)
 DRM_CFLAGS := -Idriver $(shell pkg-config --cflags libdrm)
 DRM_LIBS := $(shell pkg-config --libs libdrm)
 else
@@ -12,7 +12,7 @@ endif
 
 # "usb:" takes libusb, likewise.
 ifeq ($(shell pkg-config --exists 'libusb-1.0 >= 1.0.21' 2>/dev/null && echo yes),yes)
-USB_SOURCES := $(addprefix transport/usb/, usb.c link.c link_state.c message.c node.c pool.c sync.c where.c \
+USB_SOURCES := $(addprefix transport/usb/, usb.c link.c link_state.c message.c node.c sync.c where.c \
 	transfer.c watch.c clocks.c zero.c)
 USB_CFLAGS := -Idriver $(shell pkg-config --cflags libusb-1.0)
 USB_LIBS := $(shell pkg-config --libs libusb-1.0)
@@ -22,7 +22,7 @@ endif
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c dump.c \
 	fence.c $(DRM_SOURCES) $(USB_SOURCES) $(addprefix transport/, transport.c model.c sim.c \
-	engine.c job_table.c range.c option.c thread.c)) $(DRAW_SOURCES)
+	engine.c job_table.c pool.c range.c option.c thread.c)) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
 ACCEL_VERSION := $(shell cat VERSION)

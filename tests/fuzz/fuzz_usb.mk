@@ -3,7 +3,7 @@
 
 # What is to be looked into, and what makes up its world, which the fuzzer need not see.
 FUZZ_USB_SOURCES := tests/fuzz/fuzz_usb.c $(USB_SOURCES:%=libaccel/%) libaccel/transport/transport.c \
-	libaccel/transport/job_table.c libaccel/transport/range.c libaccel/transport/thread.c
+	libaccel/transport/job_table.c libaccel/transport/pool.c libaccel/transport/range.c libaccel/transport/thread.c
 FUZZ_USB_WORLD := $(FAKE_USB_SOURCES) $(MODEL_SOURCES) \
 	$(addprefix tools/vboard/,board/engine.c board/usb_model.c port/base.c port/usb.c)
 FUZZ_USB_WORLD_OBJS := $(FUZZ_USB_WORLD:%.c=$(BUILD)/fuzz/world/%.o)

@@ -23,7 +23,7 @@ run-errors-table:
 
 -include $(wildcard $(BUILD)/tests/unit/*.d $(BUILD)/tests/unit/*/*.d $(BUILD)/tests/usb/test_*.d)
 
-ACCEL_UNIT_TESTS := test_range test_option test_job_table test_engine test_device test_buffer \
+ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine test_device test_buffer \
 	test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
 	test_transport_sim test_transport_sim_core
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
@@ -61,8 +61,8 @@ USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_
 	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
 	test_transport_usb_out_of_memory test_process test_errors
 $(call unit,test_transport_usb_out_of_memory): UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
-ACCEL_UNIT_TESTS += test_usb_message test_usb_pool test_usb_zero $(USB_UNIT_TESTS)
-UNIT_TESTS += test_usb_message test_usb_pool test_usb_zero $(USB_UNIT_TESTS)
+ACCEL_UNIT_TESTS += test_usb_message test_usb_zero $(USB_UNIT_TESTS)
+UNIT_TESTS += test_usb_message test_usb_zero $(USB_UNIT_TESTS)
 endif
 
 # Plugins without a core: one that is right, and some that are wrong in one thing each.

@@ -10,17 +10,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #include <xf86drm.h>
 
-#include "transport/drm/node.h"
-#include "transport/drm/pool.h"
 #include "gloss_drm.h"
+#include "transport/drm/buffer.h"
+#include "transport/drm/node.h"
 #include "transport/job_table.h"
+#include "transport/thread.h"
 
 #define PAGE 4096u
-#define NS_PER_S 1000000000
 
 /* Where things are in a job's host object: the stream follows the status, then the response. */
 #define STATUS_OFFSET 0
@@ -42,7 +41,7 @@ struct transport_drm {
 	uint32_t syncobj;
 	uint64_t words_max;		/* of a stream, and of a response */
 	struct accel_transport_info info;
-	struct accel_drm_pool pool;
+	struct accel_pool pool;		/* of struct accel_drm_buffer */
 	uint64_t sequence;		/* of the last job; under the device's lock */
 	pthread_mutex_t lock;		/* protects jobs */
 	struct accel_job_table jobs;	/* until they were waited for */
@@ -117,7 +116,7 @@ static int transport_drm_open(const char *where, void **state,
 		err = accel_drm_node_error(-errno);
 	if (err)
 		goto err_close;
-	accel_drm_pool_init(&transport->pool, transport->fd);
+	accel_pool_init(&transport->pool, &accel_drm_buffer_kind, &transport->fd);
 	accel_job_table_init(&transport->jobs);
 	pthread_mutex_init(&transport->lock, NULL);
 	*state = transport;
@@ -138,7 +137,7 @@ static void transport_drm_close(void *state)
 	struct transport_drm *transport = state;
 
 	accel_job_table_fini(&transport->jobs, NULL);
-	accel_drm_pool_fini(&transport->pool);
+	accel_pool_fini(&transport->pool);
 	drmSyncobjDestroy(transport->fd, transport->syncobj);
 	close(transport->fd);
 	pthread_mutex_destroy(&transport->lock);
@@ -244,6 +243,7 @@ static int drm_job_new(struct transport_drm *transport, const struct accel_trans
 		       struct drm_job **out)
 {
 	struct drm_job *job = malloc(sizeof(*job));
+	struct accel_pool_buffer *buffer;
 	int err;
 
 	if (!job)
@@ -254,13 +254,13 @@ static int drm_job_new(struct transport_drm *transport, const struct accel_trans
 		.response = from->response,
 		.response_words = from->response_words,
 	};
-	err = accel_drm_pool_get(&transport->pool,
-				 job->response_offset + 4 * (uint64_t)from->response_words,
-				 &job->buffer);
+	err = accel_pool_get(&transport->pool,
+			     job->response_offset + 4 * (uint64_t)from->response_words, &buffer);
 	if (err) {
 		free(job);
 		return err;
 	}
+	job->buffer = (struct accel_drm_buffer *)buffer;
 	drm_job_fill(job, from);
 	*out = job;
 	return 0;
@@ -332,7 +332,7 @@ static int transport_drm_submit(void *state, const struct accel_transport_job *f
 		return err;
 	err = drm_job_submit(transport, job, from, transport->sequence + 1);
 	if (err) {
-		accel_drm_pool_put(&transport->pool, job->buffer);
+		accel_pool_put(&transport->pool, &job->buffer->pooled);
 		free(job);
 		return err;
 	}
@@ -348,11 +348,8 @@ static int transport_drm_submit(void *state, const struct accel_transport_job *f
 /* The clock of the kernel's waits, saturated. */
 static int64_t drm_deadline(int64_t timeout_ns)
 {
-	struct timespec now;
-	int64_t now_ns;
+	int64_t now_ns = accel_thread_now_ns();
 
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	now_ns = now.tv_sec * (int64_t)NS_PER_S + now.tv_nsec;
 	return timeout_ns < 0 || timeout_ns > INT64_MAX - now_ns ? INT64_MAX : now_ns + timeout_ns;
 }
 
@@ -429,10 +426,10 @@ static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns
 		return -EINVAL;
 	*status = (struct gloss_status){ .cause = GLOSS_FAULT_NONE };
 	if (err) {
-		accel_drm_pool_drop(&transport->pool, job->buffer);
+		accel_drm_buffer_drop(transport->fd, job->buffer);
 	} else {
 		err = drm_job_result(job, status);
-		accel_drm_pool_put(&transport->pool, job->buffer);
+		accel_pool_put(&transport->pool, &job->buffer->pooled);
 	}
 	free(job);
 	return err;

@@ -94,7 +94,7 @@ static void link_init_locks(struct accel_usb_link *link)
 	pthread_mutex_init(&link->clocks.lock, NULL);
 	pthread_cond_init(&link->room, NULL);
 	accel_thread_condition_init(&link->ended);
-	accel_usb_pool_init(&link->pool);
+	accel_pool_init(&link->pool, &accel_usb_buffer_kind, NULL);
 }
 
 /* But for one whose transfers are in flight for ever. */
@@ -104,7 +104,7 @@ static void link_destroy(struct accel_usb_link *link)
 		return;
 	accel_usb_transfers_fini(link);
 	accel_job_table_fini(&link->jobs, NULL);
-	accel_usb_pool_fini(&link->pool);
+	accel_pool_fini(&link->pool);
 	pthread_cond_destroy(&link->ended);
 	pthread_cond_destroy(&link->room);
 	pthread_mutex_destroy(&link->clocks.lock);

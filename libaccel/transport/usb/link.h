@@ -11,9 +11,15 @@
 #include <pthread.h>
 
 #include "transport/job_table.h"
+#include "transport/pool.h"
 #include "transport/usb/message.h"
 #include "transport/usb/node.h"
-#include "transport/usb/pool.h"
+
+/* The memory of a message. */
+struct accel_usb_buffer {
+	struct accel_pool_buffer pooled;
+	uint32_t word[];
+};
 
 struct accel_usb_job {
 	struct accel_job_entry entry;	/* first; the board has the lower half of its sequence */

@@ -79,7 +79,7 @@ struct accel_usb_link {
 	uint32_t *in_words;		/* the buffers of IN */
 	uint32_t event_words[GLOSS_USB_EVENT_WORDS];
 	uint32_t sync_words[GLOSS_USB_SYNC_WORDS];
-	struct accel_usb_pool pool;	/* has its own lock */
+	struct accel_pool pool;		/* of struct accel_usb_buffer; has its own lock */
 	bool halted_out, halted_in, halted_event;
 	bool hint;			/* the board says that it is lost */
 	bool synchronised;
@@ -107,6 +107,7 @@ struct accel_usb_link {
  */
 
 /* link_state.c */
+extern const struct accel_pool_kind accel_usb_buffer_kind;
 /* The link has failed, as the jobs are to be told (-EIO, -ENOMEM), or is gone (-ENODEV). */
 void accel_usb_link_break_locked(struct accel_usb_link *link, int err);
 /* The thread may be where it waits for events, or about to. */

@@ -7,24 +7,57 @@
 
 /* ---- jobs ---- */
 
+static int buffer_create(void *data, uint64_t size, struct accel_pool_buffer **out)
+{
+	(void)data;
+	if (size > SIZE_MAX - sizeof(struct accel_usb_buffer))
+		return -ENOMEM;
+	*out = malloc(sizeof(struct accel_usb_buffer) + size);
+	return *out ? 0 : -ENOMEM;
+}
+
+static void buffer_destroy(void *data, struct accel_pool_buffer *buffer)
+{
+	(void)data;
+	free(buffer);
+}
+
+const struct accel_pool_kind accel_usb_buffer_kind = {
+	.unused_bytes = 32u << 20,
+	.unused_buffers = 64,
+	.create = buffer_create,
+	.destroy = buffer_destroy,
+};
+
 struct accel_usb_job *accel_usb_job_new(struct accel_usb_link *link, size_t words)
 {
 	struct accel_usb_job *job = malloc(sizeof(*job));
+	const size_t bytes = words * sizeof(uint32_t);
+	struct accel_pool_buffer *buffer;
 
 	if (!job)
 		return NULL;
-	*job = (struct accel_usb_job){ .message = accel_usb_pool_get(&link->pool, words) };
-	if (!job->message) {
+	if (words > SIZE_MAX / sizeof(uint32_t) || accel_pool_get(&link->pool, bytes, &buffer)) {
 		free(job);
 		return NULL;
 	}
-	job->bytes = words * sizeof(uint32_t);
+	*job = (struct accel_usb_job){
+		.message = (struct accel_usb_buffer *)buffer,
+		.bytes = bytes,
+	};
 	return job;
+}
+
+static void job_put_message(struct accel_usb_link *link, struct accel_usb_job *job)
+{
+	if (job->message)
+		accel_pool_put(&link->pool, &job->message->pooled);
+	job->message = NULL;
 }
 
 void accel_usb_job_free(struct accel_usb_link *link, struct accel_usb_job *job)
 {
-	accel_usb_pool_put(&link->pool, job->message);
+	job_put_message(link, job);
 	free(job);
 }
 
@@ -59,8 +92,7 @@ static void job_end_locked(struct accel_usb_link *link, struct accel_usb_job *jo
 void accel_usb_link_job_moved_locked(struct accel_usb_link *link, struct accel_usb_job *job)
 {
 	if (job->sent == job->bytes) {
-		accel_usb_pool_put(&link->pool, job->message);
-		job->message = NULL;
+		job_put_message(link, job);
 		if (job->answered)
 			job_end_locked(link, job, 0);
 	}

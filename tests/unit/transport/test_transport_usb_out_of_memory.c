@@ -6,7 +6,7 @@ static void the_cable_unwinds_from_every_failure(void **state)
 {
 	(void)state;
 	fake_usb_start(1);
-	fail_each_call("usb:", false);
+	fail_each_call("usb:", true);
 	fake_usb_stop();
 }
 
