@@ -32,7 +32,7 @@ void accel_bin_free(struct accel_bin *bin)
 	free(bin->tile);
 }
 
-static void forget_records(struct accel_bin *bin)
+static void bin_forget_records(struct accel_bin *bin)
 {
 	for (int i = 0; i < bin->columns * bin->rows; i++)
 		bin->tile[i] = (struct accel_tile){ .drawn = false };
@@ -43,7 +43,7 @@ static void forget_records(struct accel_bin *bin)
 
 void accel_bin_reset(struct accel_bin *bin)
 {
-	forget_records(bin);
+	bin_forget_records(bin);
 	bin->clear.mask = 0;
 	bin->width = bin->height = 0;
 	bin->columns = bin->rows = 0;
@@ -66,11 +66,11 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height)
 	bin->height = height;
 	bin->columns = columns;
 	bin->rows = rows;
-	forget_records(bin);
+	bin_forget_records(bin);
 	return 0;
 }
 
-static struct accel_chunk *chunk_new(struct accel_bin *bin)
+static struct accel_chunk *bin_chunk_new(struct accel_bin *bin)
 {
 	struct accel_block **next = &bin->block;
 
@@ -90,9 +90,9 @@ static struct accel_chunk *chunk_new(struct accel_bin *bin)
 	return &bin->block_now->chunk[0];
 }
 
-static int tile_grow(struct accel_bin *bin, struct accel_tile *tile)
+static int bin_tile_grow(struct accel_bin *bin, struct accel_tile *tile)
 {
-	struct accel_chunk *chunk = chunk_new(bin);
+	struct accel_chunk *chunk = bin_chunk_new(bin);
 
 	if (!chunk)
 		return -ENOMEM;
@@ -106,7 +106,7 @@ static int tile_grow(struct accel_bin *bin, struct accel_tile *tile)
 	return 0;
 }
 
-static int tile_put(struct accel_bin *bin, struct accel_tile *tile, const uint32_t *words,
+static int bin_tile_put(struct accel_bin *bin, struct accel_tile *tile, const uint32_t *words,
 		    uint32_t count)
 {
 	tile->words += count;
@@ -115,7 +115,7 @@ static int tile_put(struct accel_bin *bin, struct accel_tile *tile, const uint32
 		uint32_t part = count < room ? count : room;
 
 		if (!room) {
-			if (tile_grow(bin, tile))
+			if (bin_tile_grow(bin, tile))
 				return -ENOMEM;
 			continue;
 		}
@@ -144,7 +144,7 @@ uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now
 }
 
 /* Puts the packets that make @state of what the tile has now. */
-static int tile_state(struct accel_bin *bin, struct accel_tile *tile,
+static int bin_tile_state(struct accel_bin *bin, struct accel_tile *tile,
 		      const struct accel_tile_state *state)
 {
 	uint32_t words[4], count;
@@ -158,11 +158,11 @@ static int tile_state(struct accel_bin *bin, struct accel_tile *tile,
 	}
 	count = accel_bin_packets(words, &tile->now, state);
 	tile->now = *state;
-	return count ? tile_put(bin, tile, words, count) : 0;
+	return count ? bin_tile_put(bin, tile, words, count) : 0;
 }
 
 /* Which of a state's results a tile must keep, and what it must have from before. */
-static void tile_uses(struct accel_tile *tile, const struct accel_tile_state *state)
+static void bin_tile_uses(struct accel_tile *tile, const struct accel_tile_state *state)
 {
 	struct gloss_depth_state depth;
 
@@ -170,11 +170,6 @@ static void tile_uses(struct accel_tile *tile, const struct accel_tile_state *st
 	tile->uses_depth |= depth.func != GLOSS_COMPARE_ALWAYS || depth.write;
 	tile->writes_depth |= depth.write;
 	tile->uses_colour |= state->colour_mask != (uint32_t)GLOSS_OP_COLOUR_MASK << 24;
-}
-
-static int clamp(int value, int low, int high)
-{
-	return value < low ? low : value > high ? high : value;
 }
 
 uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)
@@ -187,15 +182,15 @@ uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)
 }
 
 /* Where the target ends inside of a tile there is memory too, so that needs no scissor. */
-static uint32_t tile_scissor(const struct accel_bin *bin, int x, int y)
+static uint32_t bin_tile_scissor(const struct accel_bin *bin, int x, int y)
 {
 	const struct accel_rectangle *visible = &bin->visible;
 	int size = bin->tile_size;
 
-	return accel_bin_scissor(clamp(visible->x0 - x, 0, size), clamp(visible->y0 - y, 0, size),
-				 visible->x1 == bin->width ? size : clamp(visible->x1 - x, 0, size),
+	return accel_bin_scissor(number_clamp(visible->x0 - x, 0, size), number_clamp(visible->y0 - y, 0, size),
+				 visible->x1 == bin->width ? size : number_clamp(visible->x1 - x, 0, size),
 				 visible->y1 == bin->height ? size :
-							      clamp(visible->y1 - y, 0, size));
+							      number_clamp(visible->y1 - y, 0, size));
 }
 
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
@@ -215,20 +210,20 @@ void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 }
 
 /* Puts a record and, before it, the state it needs. */
-static int tile_record(struct accel_bin *bin, struct accel_tile *tile,
+static int bin_tile_record(struct accel_bin *bin, struct accel_tile *tile,
 		       const struct accel_tile_state *state, const uint32_t *words, uint32_t count)
 {
-	int err = tile_state(bin, tile, state);
+	int err = bin_tile_state(bin, tile, state);
 
 	if (err)
 		return err;
-	tile_uses(tile, state);
+	bin_tile_uses(tile, state);
 	bin->records++;
-	return tile_put(bin, tile, words, count);
+	return bin_tile_put(bin, tile, words, count);
 }
 
 /* Clears a tile that was drawn on already, by drawing. */
-static int tile_clear(struct accel_bin *bin, struct accel_tile *tile,
+static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
 		      const struct accel_clear *clear)
 {
 	bool colour = clear->mask & ACCEL_CLEAR_COLOUR, depth = clear->mask & ACCEL_CLEAR_DEPTH;
@@ -243,18 +238,18 @@ static int tile_clear(struct accel_bin *bin, struct accel_tile *tile,
 			       &(struct gloss_colour_mask){ colour, colour, colour, colour });
 	state.scissor = accel_bin_scissor(0, 0, bin->tile_size, bin->tile_size);
 	count = accel_record_fill(words, clear->colour, clear->depth);
-	return tile_record(bin, tile, &state, words, count);
+	return bin_tile_record(bin, tile, &state, words, count);
 }
 
 int accel_bin_clear(struct accel_bin *bin, const struct accel_clear *clear)
 {
 	if (clear->mask == (ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH)) {
-		forget_records(bin);
+		bin_forget_records(bin);
 		bin->clear = *clear;
 		return 0;
 	}
 	for (int i = 0; i < bin->columns * bin->rows; i++) {
-		int err = bin->tile[i].drawn ? tile_clear(bin, &bin->tile[i], clear) : 0;
+		int err = bin->tile[i].drawn ? bin_tile_clear(bin, &bin->tile[i], clear) : 0;
 
 		if (err)
 			return err;
@@ -274,12 +269,12 @@ struct band {
 };
 
 /* Are there pixels of @row between @x0 and @x1? */
-static bool row_meets(const struct accel_row *row, int x0, int x1)
+static bool bin_row_meets(const struct accel_row *row, int x0, int x1)
 {
-	return (row->left > x0 ? row->left : x0) < (row->right < x1 ? row->right : x1);
+	return number_max(row->left, x0) < number_min(row->right, x1);
 }
 
-static bool band_covers(const struct band *band, int x0, int x1, int size)
+static bool bin_band_covers(const struct band *band, int x0, int x1, int size)
 {
 	if (band->end - band->first != size)
 		return false;
@@ -290,33 +285,33 @@ static bool band_covers(const struct band *band, int x0, int x1, int size)
 }
 
 /* Draws the part of the band that lies in the tile; rows of it that have no pixel are left off. */
-static int band_tile(struct accel_bin *bin, const struct accel_triangle *triangle,
+static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *triangle,
 		     const struct band *band, int x, int y)
 {
 	struct accel_tile *tile =
 		&bin->tile[y / bin->tile_size * bin->columns + x / bin->tile_size];
-	int x0 = bin->visible.x0 > x ? bin->visible.x0 : x;
-	int x1 = bin->visible.x1 < x + bin->tile_size ? bin->visible.x1 : x + bin->tile_size;
+	int x0 = number_max(bin->visible.x0, x);
+	int x1 = number_min(bin->visible.x1, x + bin->tile_size);
 	struct accel_place place = { x, y, bin->tile_size, band->first, band->end, false, NULL };
 	struct accel_tile_state state = bin->state;
 	uint32_t words[ACCEL_RECORD_WORDS], count;
 
 	while (place.first < place.end &&
-	       !row_meets(&band->row[place.first - band->first], x0, x1))
+	       !bin_row_meets(&band->row[place.first - band->first], x0, x1))
 		place.first++;
 	while (place.first < place.end &&
-	       !row_meets(&band->row[place.end - 1 - band->first], x0, x1))
+	       !bin_row_meets(&band->row[place.end - 1 - band->first], x0, x1))
 		place.end--;
 	if (place.first == place.end)
 		return 0;
 	place.row = &band->row[place.first - band->first];
-	place.covering = band_covers(band, x, x + bin->tile_size, bin->tile_size);
-	state.scissor = tile_scissor(bin, x, y);
+	place.covering = bin_band_covers(band, x, x + bin->tile_size, bin->tile_size);
+	state.scissor = bin_tile_scissor(bin, x, y);
 	count = accel_record_pack(words, triangle, &place);
-	return tile_record(bin, tile, &state, words, count);
+	return bin_tile_record(bin, tile, &state, words, count);
 }
 
-static int band_draw(struct accel_bin *bin, const struct accel_triangle *triangle,
+static int bin_band_draw(struct accel_bin *bin, const struct accel_triangle *triangle,
 		     const struct band *band)
 {
 	int left = bin->visible.x1, right = bin->visible.x0, size = bin->tile_size;
@@ -327,29 +322,29 @@ static int band_draw(struct accel_bin *bin, const struct accel_triangle *triangl
 
 		if (row->left >= row->right)
 			continue;
-		left = row->left < left ? row->left : left;
-		right = row->right > right ? row->right : right;
+		left = number_min(row->left, left);
+		right = number_max(row->right, right);
 	}
-	left = left > bin->visible.x0 ? left : bin->visible.x0;
-	right = right < bin->visible.x1 ? right : bin->visible.x1;
+	left = number_max(left, bin->visible.x0);
+	right = number_min(right, bin->visible.x1);
 	for (int x = left / size * size; x < right && !err; x += size)
-		err = band_tile(bin, triangle, band, x, band->first / size * size);
+		err = bin_band_tile(bin, triangle, band, x, band->first / size * size);
 	return err;
 }
 
 int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle)
 {
 	const struct accel_setup *setup = &triangle->setup;
-	int end = setup->end < bin->visible.y1 ? setup->end : bin->visible.y1;
+	int end = number_min(setup->end, bin->visible.y1);
 	struct band band;
 	int err = 0;
 
-	band.first = setup->first > bin->visible.y0 ? setup->first : bin->visible.y0;
+	band.first = number_max(setup->first, bin->visible.y0);
 	for (; band.first < end && !err; band.first = band.end) {
 		band.end = (band.first / bin->tile_size + 1) * bin->tile_size;
-		band.end = band.end < end ? band.end : end;
+		band.end = number_min(band.end, end);
 		accel_setup_rows(setup, band.first, band.end, band.row);
-		err = band_draw(bin, triangle, &band);
+		err = bin_band_draw(bin, triangle, &band);
 	}
 	return err;
 }

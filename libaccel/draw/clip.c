@@ -5,7 +5,7 @@
  */
 #include "draw/draw_priv.h"
 
-static void between(const struct accel_corner *inside, const struct accel_corner *outside, double t,
+static void clip_between(const struct accel_corner *inside, const struct accel_corner *outside, double t,
 		    struct accel_corner *corner)
 {
 	const struct accel_vertex *a = &inside->vertex, *b = &outside->vertex;
@@ -27,7 +27,7 @@ static void between(const struct accel_corner *inside, const struct accel_corner
 }
 
 /* Rounding may let a sliver cross a plane more than twice; what does not fit is left out. */
-static int cut(const struct accel_window *window, int plane, const struct accel_corner *in,
+static int clip_cut(const struct accel_window *window, int plane, const struct accel_corner *in,
 	       int corners, struct accel_corner *out)
 {
 	int kept = 0;
@@ -40,9 +40,9 @@ static int cut(const struct accel_window *window, int plane, const struct accel_
 		if (da >= 0)
 			out[kept++] = *a;
 		if (da >= 0 && db < 0)
-			between(a, b, da / (da - db), &out[kept++]);
+			clip_between(a, b, da / (da - db), &out[kept++]);
 		else if (da < 0 && db >= 0)
-			between(b, a, db / (db - da), &out[kept++]);
+			clip_between(b, a, db / (db - da), &out[kept++]);
 	}
 	return kept;
 }
@@ -58,7 +58,7 @@ int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
 			continue;
 		for (int i = 0; i < corners; i++)
 			copy[i] = polygon[i];
-		corners = cut(window, plane, copy, corners, polygon);
+		corners = clip_cut(window, plane, copy, corners, polygon);
 	}
 	for (int i = 0; i < corners; i++)
 		accel_geometry_project(window, polygon[i].clip, &polygon[i].vertex);
@@ -66,7 +66,7 @@ int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
 }
 
 /* Are no two triangles of the fan on different sides? */
-static bool fan_even(const struct accel_corner *polygon, int corners, int apex)
+static bool clip_fan_even(const struct accel_corner *polygon, int corners, int apex)
 {
 	bool up = false, down = false;
 
@@ -86,7 +86,7 @@ int accel_clip_apex(const struct accel_corner *polygon, int corners)
 	int apex = 0;
 
 	/* Snapping may dent a polygon that was convex. */
-	while (apex < corners && !fan_even(polygon, corners, apex))
+	while (apex < corners && !clip_fan_even(polygon, corners, apex))
 		apex++;
 	return apex % corners;
 }

@@ -6,8 +6,6 @@
 
 #include "draw/draw_priv.h"
 
-#define DEPTH_MAX 16777215.0
-
 struct accel_draw {
 	struct accel_device *device;
 	struct accel_stream *stream;
@@ -50,7 +48,7 @@ err_free:
 }
 
 /* Forgets the frame. */
-static void frame_empty(struct accel_draw *draw)
+static void draw_frame_empty(struct accel_draw *draw)
 {
 	accel_bin_reset(&draw->bin);
 	if (draw->has_target) {
@@ -61,9 +59,9 @@ static void frame_empty(struct accel_draw *draw)
 }
 
 /* Forgets it, and that it ever began. */
-static void frame_lose(struct accel_draw *draw)
+static void draw_frame_lose(struct accel_draw *draw)
 {
-	frame_empty(draw);
+	draw_frame_empty(draw);
 	draw->stats = (struct accel_draw_stats){ 0 };
 	draw->submitted = false;
 }
@@ -72,7 +70,7 @@ void accel_draw_free(struct accel_draw *draw)
 {
 	if (!draw)
 		return;
-	frame_empty(draw);
+	draw_frame_empty(draw);
 	accel_bin_free(&draw->bin);
 	accel_stream_free(draw->stream);
 	accel_device_unref(draw->device);
@@ -82,14 +80,14 @@ void accel_draw_free(struct accel_draw *draw)
 }
 
 /* Before the first call of a frame does anything. */
-static void frame_begin(struct accel_draw *draw)
+static void draw_frame_begin(struct accel_draw *draw)
 {
 	if (draw->submitted)
 		draw->stats = (struct accel_draw_stats){ 0 };
 	draw->submitted = false;
 }
 
-static uint32_t colour_word(const float rgba[4])
+static uint32_t draw_colour_word(const float rgba[4])
 {
 	uint32_t word = 0;
 
@@ -101,7 +99,7 @@ static uint32_t colour_word(const float rgba[4])
 	return word;
 }
 
-static bool clear_valid(unsigned int mask, const float rgba[4], float depth)
+static bool draw_clear_valid(unsigned int mask, const float rgba[4], float depth)
 {
 	bool valid = mask && !(mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH));
 
@@ -118,23 +116,23 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
 	struct accel_clear clear = { .mask = mask };
 	int err;
 
-	if (!clear_valid(mask, rgba, depth)) {
+	if (!draw_clear_valid(mask, rgba, depth)) {
 		accel_device_message(draw->device, "a clear of mask %u: a colour has four finite "
 				     "numbers, a depth is 0 to 1", mask);
 		return -EINVAL;
 	}
 	if (mask & ACCEL_CLEAR_COLOUR)
-		clear.colour = colour_word(rgba);
+		clear.colour = draw_colour_word(rgba);
 	if (mask & ACCEL_CLEAR_DEPTH)
-		clear.depth = (uint32_t)((double)depth * DEPTH_MAX + 0.5);
-	frame_begin(draw);
+		clear.depth = (uint32_t)((double)depth * ACCEL_DEPTH_MAX + 0.5);
+	draw_frame_begin(draw);
 	err = accel_bin_clear(&draw->bin, &clear);
 	if (err)
-		frame_lose(draw);
+		draw_frame_lose(draw);
 	return err;
 }
 
-static int set_target(struct accel_draw *draw, const struct accel_target *target)
+static int draw_set_target(struct accel_draw *draw, const struct accel_target *target)
 {
 	int err;
 
@@ -156,7 +154,7 @@ static int set_target(struct accel_draw *draw, const struct accel_target *target
 	return 0;
 }
 
-static int reserve_vertices(struct accel_draw *draw, uint32_t count)
+static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
 {
 	struct accel_vertex *vertex;
 	size_t size;
@@ -173,7 +171,7 @@ static int reserve_vertices(struct accel_draw *draw, uint32_t count)
 	return 0;
 }
 
-static int mesh_add(struct accel_draw *draw, struct accel_target *target,
+static int draw_mesh_add(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh)
 {
 	struct accel_pass pass = {
@@ -189,7 +187,7 @@ static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 	int err = accel_mesh_check(draw->device, mesh);
 
 	if (!err)
-		err = reserve_vertices(draw, mesh->vertices);
+		err = draw_reserve_vertices(draw, mesh->vertices);
 	if (err)
 		return err;
 	pass.vertex = draw->vertex;
@@ -199,10 +197,10 @@ static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 	accel_lighting_init(&pass.lighting, state, pass.painted);
 	err = accel_mesh_transform(&pass);
 	if (!err)
-		err = set_target(draw, target);
+		err = draw_set_target(draw, target);
 	if (err)
 		return err;
-	frame_begin(draw);
+	draw_frame_begin(draw);
 	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
 	return accel_mesh_draw(&pass);
 }
@@ -210,10 +208,10 @@ static int mesh_add(struct accel_draw *draw, struct accel_target *target,
 int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh)
 {
-	int err = mesh_add(draw, target, state, mesh);
+	int err = draw_mesh_add(draw, target, state, mesh);
 
 	if (err == -ENOMEM)
-		frame_lose(draw);
+		draw_frame_lose(draw);
 	return err;
 }
 
@@ -233,12 +231,12 @@ int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
 				     "mesh on it, which may have no triangles");
 		return -EINVAL;
 	}
-	frame_begin(draw);
+	draw_frame_begin(draw);
 	err = accel_frame_submit(&draw->bin, draw->stream, &draw->target, ACCEL_JOB_WORDS,
 				 &draw->stats, &fence, &sent);
 	if (err && !sent)
 		return err;
-	frame_empty(draw);
+	draw_frame_empty(draw);
 	draw->submitted = true;
 	if (err)
 		return err;

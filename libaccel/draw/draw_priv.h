@@ -15,6 +15,7 @@
  *   record.c     one TRIANGLE packet
  *   bin.c        records by tile
  *   frame.c      the frame's command stream
+ *   number.h     smaller, larger, between
  *
  * Neighbours must agree on what they share. What belongs to an edge is therefore worked out from
  * its two vertices alone, with formulas that are symmetric in them bit for bit: sums and products
@@ -24,6 +25,10 @@
 #define ACCEL_DRAW_PRIV_H
 
 #include "accel_priv.h"
+#include "draw/number.h"
+
+/* The depth of the far plane in the buffer: 24 bits. */
+#define ACCEL_DEPTH_MAX 16777215.0
 
 /*
  * Window coordinates have 10 fraction bits. Vertices of a mesh are snapped to 1/16 pixel, which
@@ -312,7 +317,7 @@ struct accel_plane {
 };
 
 /* The place of the unit triangle (0,0) (1,0) (0,1) on screen: u and v at the anchor, and slopes. */
-struct accel_frame {
+struct accel_basis {
 	int x, y;			/* the anchor's pixel */
 	double u, v, ux, uy, vx, vy;
 };
@@ -330,15 +335,15 @@ struct accel_triangle {
 /* Signed area of a triangle on screen, positive if it runs clockwise (y down). */
 int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vertex *b,
 			   const struct accel_vertex *c);
-void accel_surface_frame(struct accel_frame *frame, const struct accel_vertex *const vertex[3]);
+void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *const vertex[3]);
 /* @narrow: the triangle is, so that the plane may be rounded to depth_compact. */
-void accel_surface_plane(struct accel_plane *plane, const struct accel_frame *frame,
+void accel_surface_plane(struct accel_plane *plane, const struct accel_basis *basis,
 			 const struct accel_vertex *const vertex[3], bool narrow);
 /* Surfaces through the patch's samples: flat, linear or second order, as it needs. */
-void accel_surface_patch(struct accel_triangle *triangle, const struct accel_frame *frame,
+void accel_surface_patch(struct accel_triangle *triangle, const struct accel_basis *basis,
 			 const struct accel_patch *patch);
 /* A linear surface through the vertices' colours clamped to 0..1; flat if they are equal. */
-void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_frame *frame,
+void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_basis *basis,
 			   const struct accel_vertex *const vertex[3]);
 void accel_surface_flat(struct accel_triangle *triangle, const float colour[4]);
 

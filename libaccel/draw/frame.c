@@ -19,21 +19,21 @@ struct writer {
 	bool sent;			/* a job is on the board */
 };
 
-static int put(struct writer *writer, const uint32_t *words, uint32_t count)
+static int frame_put(struct writer *writer, const uint32_t *words, uint32_t count)
 {
 	writer->words += count;
 	return accel_stream_emit(writer->stream, words, count);
 }
 
 /* The bins stay as they are until the frame was sent, so their words go from there to the board. */
-static int lend(struct writer *writer, const uint32_t *words, uint32_t count)
+static int frame_lend(struct writer *writer, const uint32_t *words, uint32_t count)
 {
 	writer->words += count;
 	return accel_stream_lend(writer->stream, words, count);
 }
 
 /* Every job starts from the same state, without surfaces. */
-static int job_begin(struct writer *writer)
+static int frame_job_begin(struct writer *writer)
 {
 	const struct accel_target *target = writer->target;
 	unsigned int rights = ACCEL_SLOT_READ | ACCEL_SLOT_WRITE;
@@ -61,7 +61,7 @@ static int job_begin(struct writer *writer)
 	writer->now.scissor = accel_bin_scissor(0, 0, writer->bin->tile_size,
 						writer->bin->tile_size);
 	writer->words = 0;
-	return put(writer, words, JOB_WORDS);
+	return frame_put(writer, words, JOB_WORDS);
 }
 
 /* What a surface's tile begins and ends with. */
@@ -72,7 +72,7 @@ struct part {
 	uint32_t end;			/* offset to store to */
 };
 
-static struct part part_of(bool clear, uint32_t value, bool uses, bool writes, uint32_t offset)
+static struct part frame_part_of(bool clear, uint32_t value, bool uses, bool writes, uint32_t offset)
 {
 	struct part part = { .output = GLOSS_TILE_OUTPUT_DROP };
 
@@ -89,42 +89,42 @@ static struct part part_of(bool clear, uint32_t value, bool uses, bool writes, u
 	return part;
 }
 
-static int tile_records(struct writer *writer, const struct accel_tile *tile)
+static int frame_tile_records(struct writer *writer, const struct accel_tile *tile)
 {
 	const struct accel_chunk *chunk;
 	uint32_t words[4], count = accel_bin_packets(words, &writer->now, &tile->first);
-	int err = put(writer, words, count);
+	int err = frame_put(writer, words, count);
 
 	for (chunk = tile->chunk; chunk && !err; chunk = chunk->next)
-		err = lend(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
+		err = frame_lend(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
 	writer->now = tile->now;
 	return err;
 }
 
 /* A tile that nothing was drawn on is only cleared. */
-static int tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
+static int frame_tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
 {
 	const struct accel_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
-	struct part colour = part_of(clear->mask & ACCEL_CLEAR_COLOUR, clear->colour,
+	struct part colour = frame_part_of(clear->mask & ACCEL_CLEAR_COLOUR, clear->colour,
 				     tile->uses_colour, tile->uses_colour, offset);
-	struct part depth = part_of(clear->mask & ACCEL_CLEAR_DEPTH, clear->depth,
+	struct part depth = frame_part_of(clear->mask & ACCEL_CLEAR_DEPTH, clear->depth,
 				    tile->uses_depth, tile->writes_depth, offset);
 	uint32_t words[1 + GLOSS_TILE_BEGIN_WORDS];
 	int err;
 
 	gloss_tile_begin_pack(words, &(struct gloss_tile_begin){ colour.load, depth.load,
 								 colour.begin, depth.begin });
-	err = put(writer, words, 1 + GLOSS_TILE_BEGIN_WORDS);
+	err = frame_put(writer, words, 1 + GLOSS_TILE_BEGIN_WORDS);
 	if (!err && tile->drawn)
-		err = tile_records(writer, tile);
+		err = frame_tile_records(writer, tile);
 	if (err)
 		return err;
 	gloss_tile_end_pack(words, &(struct gloss_tile_end){ colour.output, depth.output,
 							     colour.end, depth.end });
-	return put(writer, words, 1 + GLOSS_TILE_END_WORDS);
+	return frame_put(writer, words, 1 + GLOSS_TILE_END_WORDS);
 }
 
-static int job_end(struct writer *writer)
+static int frame_job_end(struct writer *writer)
 {
 	int err = accel_stream_send(writer->stream, NULL, 0, writer->fence);
 
@@ -136,16 +136,16 @@ static int job_end(struct writer *writer)
 	return 0;
 }
 
-static bool job_full(const struct writer *writer, const struct accel_tile *tile, size_t job_words)
+static bool frame_job_full(const struct writer *writer, const struct accel_tile *tile, size_t job_words)
 {
 	return writer->words > JOB_WORDS &&
 	       writer->words + tile->words + TILE_WORDS > job_words;
 }
 
-static int tiles_write(struct writer *writer, size_t job_words)
+static int frame_tiles_write(struct writer *writer, size_t job_words)
 {
 	const struct accel_bin *bin = writer->bin;
-	int err = job_begin(writer);
+	int err = frame_job_begin(writer);
 
 	for (int i = 0; i < bin->columns * bin->rows && !err; i++) {
 		const struct accel_tile *tile = &bin->tile[i];
@@ -155,13 +155,13 @@ static int tiles_write(struct writer *writer, size_t job_words)
 		if (!tile->drawn && !bin->clear.mask)
 			continue;
 		writer->tiles++;
-		if (job_full(writer, tile, job_words)) {
-			err = job_end(writer);
+		if (frame_job_full(writer, tile, job_words)) {
+			err = frame_job_end(writer);
 			if (!err)
-				err = job_begin(writer);
+				err = frame_job_begin(writer);
 		}
 		if (!err)
-			err = tile_write(writer, tile, y * writer->target->pitch + x * 4);
+			err = frame_tile_write(writer, tile, y * writer->target->pitch + x * 4);
 	}
 	return err;
 }
@@ -191,9 +191,9 @@ int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
 	if (!writer.fence)
 		return -ENOMEM;
 	if (bin->columns)
-		err = tiles_write(&writer, job_words);
+		err = frame_tiles_write(&writer, job_words);
 	if (!err)
-		err = job_end(&writer);
+		err = frame_job_end(&writer);
 	if (err)
 		return frame_fail(&writer, err, sent);
 	*fence = writer.fence;

@@ -16,7 +16,7 @@
 #define GUARD_HEIGHT (ACCEL_EDGE_HEIGHT_MAX >> ACCEL_SNAP_BITS)
 
 /* out = a b, column by column. */
-static void multiply(double out[16], const float a[16], const float b[16])
+static void geometry_multiply(double out[16], const float a[16], const float b[16])
 {
 	for (int column = 0; column < 4; column++) {
 		for (int row = 0; row < 4; row++) {
@@ -33,7 +33,7 @@ static void multiply(double out[16], const float a[16], const float b[16])
  * Normals go by the inverse transpose, which is the matrix of cofactors over the determinant. They
  * are made unit length later, so of the determinant only the sign is needed.
  */
-static void normal_matrix(double out[9], const float m[16])
+static void geometry_normal_matrix(double out[9], const float m[16])
 {
 	double determinant = 0;
 
@@ -53,28 +53,28 @@ static void normal_matrix(double out[9], const float m[16])
 		out[i] = -out[i];
 }
 
-static int clamp(int64_t value, int low, int high)
+static int geometry_clamp(int64_t value, int low, int high)
 {
 	return value < low ? low : value > high ? high : (int)value;
 }
 
 /* What of @low to @high is from @start on for @size; a negative size has nothing. */
-static void intersect_range(int *low, int *high, int start, int size)
+static void geometry_intersect_range(int *low, int *high, int start, int size)
 {
-	int first = clamp(start, *low, *high);
+	int first = geometry_clamp(start, *low, *high);
 
-	*high = clamp((int64_t)start + (size > 0 ? size : 0), first, *high);
+	*high = geometry_clamp((int64_t)start + (size > 0 ? size : 0), first, *high);
 	*low = first;
 }
 
 /* Whatever the numbers, the corners stay where the rectangle was, and in order. */
-static void intersect(struct accel_rectangle *rectangle, int x, int y, int width, int height)
+static void geometry_intersect(struct accel_rectangle *rectangle, int x, int y, int width, int height)
 {
-	intersect_range(&rectangle->x0, &rectangle->x1, x, width);
-	intersect_range(&rectangle->y0, &rectangle->y1, y, height);
+	geometry_intersect_range(&rectangle->x0, &rectangle->x1, x, width);
+	geometry_intersect_range(&rectangle->y0, &rectangle->y1, y, height);
 }
 
-static void window_init(struct accel_window *window, const struct accel_state *state, int width,
+static void geometry_window_init(struct accel_window *window, const struct accel_state *state, int width,
 			int height)
 {
 	double x = 0, y = 0, w = width, h = height;
@@ -86,11 +86,11 @@ static void window_init(struct accel_window *window, const struct accel_state *s
 		y = state->viewport.y;
 		w = state->viewport.width;
 		h = state->viewport.height > 0 ? state->viewport.height : 0;
-		intersect(&window->visible, state->viewport.x, state->viewport.y,
+		geometry_intersect(&window->visible, state->viewport.x, state->viewport.y,
 			  state->viewport.width, state->viewport.height);
 	}
 	if (state->scissor.width >= 0)
-		intersect(&window->visible, state->scissor.x, state->scissor.y,
+		geometry_intersect(&window->visible, state->scissor.x, state->scissor.y,
 			  state->scissor.width, state->scissor.height);
 	window->scale[0] = w / 2;
 	window->scale[1] = -h / 2;
@@ -107,14 +107,14 @@ static void window_init(struct accel_window *window, const struct accel_state *s
 void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,
 			 int width, int height)
 {
-	multiply(transform->clip, state->projection, state->modelview);
+	geometry_multiply(transform->clip, state->projection, state->modelview);
 	for (int i = 0; i < 16; i++)
 		transform->eye[i] = (double)state->modelview[i];
-	normal_matrix(transform->normal, state->modelview);
-	window_init(&transform->window, state, width, height);
+	geometry_normal_matrix(transform->normal, state->modelview);
+	geometry_window_init(&transform->window, state, width, height);
 }
 
-static void transform_point(const double m[16], const float p[3], double out[4])
+static void geometry_transform_point(const double m[16], const float p[3], double out[4])
 {
 	for (int row = 0; row < 4; row++)
 		out[row] = m[row] * (double)p[0] + m[4 + row] * (double)p[1] +
@@ -124,7 +124,7 @@ static void transform_point(const double m[16], const float p[3], double out[4])
 void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
 			       double clip[4])
 {
-	transform_point(transform->clip, position, clip);
+	geometry_transform_point(transform->clip, position, clip);
 }
 
 double accel_geometry_distance(const struct accel_window *window, int plane, const double clip[4])
@@ -150,7 +150,7 @@ double accel_geometry_distance(const struct accel_window *window, int plane, con
 	}
 }
 
-static uint32_t outside(const struct accel_window *window, const double clip[4])
+static uint32_t geometry_outside(const struct accel_window *window, const double clip[4])
 {
 	uint32_t bits = 0;
 
@@ -169,7 +169,7 @@ static uint32_t outside(const struct accel_window *window, const double clip[4])
 }
 
 /* Rounds a coordinate to 1/16 pixel; the guard band's borders are whole pixels. NaN is low. */
-static int32_t snap(double pixel, double low, double high)
+static int32_t geometry_snap(double pixel, double low, double high)
 {
 	const double one = 1 << ACCEL_SNAP_BITS;
 
@@ -185,16 +185,16 @@ void accel_geometry_project(const struct accel_window *window, const double clip
 	double w = clip[3] > EYE_W_MIN ? clip[3] : EYE_W_MIN, inverse = 1 / w;
 	double z = clip[2] * inverse * window->scale[2] + window->offset[2];
 
-	vertex->x = snap(clip[0] * inverse * window->scale[0] + window->offset[0],
+	vertex->x = geometry_snap(clip[0] * inverse * window->scale[0] + window->offset[0],
 			 window->guard[0], window->guard[1]);
-	vertex->y = snap(clip[1] * inverse * window->scale[1] + window->offset[1],
+	vertex->y = geometry_snap(clip[1] * inverse * window->scale[1] + window->offset[1],
 			 window->guard[2], window->guard[3]);
 	vertex->w = (float)w;
 	vertex->z = z > 0 ? (z < 1 ? z : 1) : 0;
 }
 
 /* false: something is too large for a float. */
-static bool narrow(const double *in, float *out, int count)
+static bool geometry_narrow(const double *in, float *out, int count)
 {
 	bool finite = true;
 
@@ -205,7 +205,7 @@ static bool narrow(const double *in, float *out, int count)
 	return finite;
 }
 
-static bool eye_normal(const double m[9], const float normal[3], float out[3])
+static bool geometry_eye_normal(const double m[9], const float normal[3], float out[3])
 {
 	double n[3], length;
 
@@ -215,7 +215,7 @@ static bool eye_normal(const double m[9], const float normal[3], float out[3])
 	length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
 	for (int i = 0; i < 3 && length > 0; i++)
 		n[i] /= length;
-	return narrow(n, out, 3);
+	return geometry_narrow(n, out, 3);
 }
 
 int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],
@@ -225,15 +225,15 @@ int accel_geometry_vertex(const struct accel_transform *transform, const float p
 	float narrowed[4];
 
 	accel_geometry_clip_space(transform, position, clip);
-	transform_point(transform->eye, position, eye);
+	geometry_transform_point(transform->eye, position, eye);
 	if (eye[3] != 1 && eye[3] != 0)
 		for (int i = 0; i < 3; i++)
 			eye[i] /= eye[3];
-	if (!narrow(clip, narrowed, 4) || !narrow(eye, vertex->eye, 3))
+	if (!geometry_narrow(clip, narrowed, 4) || !geometry_narrow(eye, vertex->eye, 3))
 		return -EINVAL;
-	if (normal && !eye_normal(transform->normal, normal, vertex->normal))
+	if (normal && !geometry_eye_normal(transform->normal, normal, vertex->normal))
 		return -EINVAL;
-	vertex->outside = outside(&transform->window, clip);
+	vertex->outside = geometry_outside(&transform->window, clip);
 	if (!(vertex->outside & ACCEL_OUTSIDE_CLIP))
 		accel_geometry_project(&transform->window, clip, vertex);
 	vertex->level = 0;

@@ -18,23 +18,18 @@
 /* Errors of the second-order curve beyond this are worth a split. */
 #define CURVE (0.5f * STEP)
 
-static float larger(float a, float b)
-{
-	return a > b ? a : b;
-}
-
 /* How far the first @channels of @a and @b are from each other. */
-static float difference(const float *a, const float *b, int channels)
+static float interpolate_difference(const float *a, const float *b, int channels)
 {
 	float most = 0;
 
 	for (int i = 0; i < channels; i++)
-		most = larger(most, fabsf(a[i] - b[i]));
+		most = number_larger(most, fabsf(a[i] - b[i]));
 	return most;
 }
 
 /* The distance of the hyperbola's middle from the straight line's, for ends that are 1 apart. */
-static float bend(float wa, float wb)
+static float interpolate_bend(float wa, float wb)
 {
 	return fabsf(wa - wb) / (2 * (wa + wb));
 }
@@ -42,13 +37,13 @@ static float bend(float wa, float wb)
 bool accel_interpolate_straight(const struct accel_vertex *const vertex[3])
 {
 	for (int i = 0; i < 3; i++)
-		if (bend(vertex[i]->w, vertex[(i + 1) % 3]->w) >= STRAIGHT_ALPHA)
+		if (interpolate_bend(vertex[i]->w, vertex[(i + 1) % 3]->w) >= STRAIGHT_ALPHA)
 			return false;
 	return true;
 }
 
 /* The curve's error a quarter of the way from @a. */
-static float curve_error(const struct accel_vertex *a, const struct accel_vertex *middle,
+static float interpolate_curve_error(const struct accel_vertex *a, const struct accel_vertex *middle,
 			 const struct accel_vertex *b)
 {
 	struct accel_vertex quarter;
@@ -58,15 +53,15 @@ static float curve_error(const struct accel_vertex *a, const struct accel_vertex
 	for (int i = 0; i < 3; i++)
 		curve[i] = 0.375f * a->sample.colour[i] + 0.75f * middle->sample.colour[i] -
 			   0.125f * b->sample.colour[i];
-	return difference(curve, quarter.sample.colour, 3);
+	return interpolate_difference(curve, quarter.sample.colour, 3);
 }
 
 void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_vertex *b,
 			    struct accel_edge *edge)
 {
-	float factor = bend(a->w, b->w);
-	bool bends = difference(a->sample.colour, b->sample.colour, 3) * factor >= STRAIGHT;
-	bool alpha_bends = difference(&a->sample.colour[3], &b->sample.colour[3], 1) * factor >=
+	float factor = interpolate_bend(a->w, b->w);
+	bool bends = interpolate_difference(a->sample.colour, b->sample.colour, 3) * factor >= STRAIGHT;
+	bool alpha_bends = interpolate_difference(&a->sample.colour[3], &b->sample.colour[3], 1) * factor >=
 			   STRAIGHT_ALPHA;
 	struct accel_vertex middle;
 
@@ -83,7 +78,7 @@ void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_ver
 	if (!accel_shading_divisible(a, b))
 		return;
 	edge->split = alpha_bends ||
-		      curve_error(a, &middle, b) > CURVE || curve_error(b, &middle, a) > CURVE;
+		      interpolate_curve_error(a, &middle, b) > CURVE || interpolate_curve_error(b, &middle, a) > CURVE;
 }
 
 bool accel_interpolate_inside(const struct accel_patch *patch)
@@ -102,6 +97,6 @@ bool accel_interpolate_inside(const struct accel_patch *patch)
 			    (patch->vertex[0]->sample.colour[i] +
 			     patch->vertex[1]->sample.colour[i] +
 			     patch->vertex[2]->sample.colour[i])) / 9;
-	return difference(curve, middle.sample.colour, 3) > CURVE ||
+	return interpolate_difference(curve, middle.sample.colour, 3) > CURVE ||
 	       fabsf(alpha - middle.sample.colour[3]) > STRAIGHT;
 }

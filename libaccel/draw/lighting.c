@@ -13,15 +13,10 @@
 #define HIGHLIGHT_VISIBLE (2 / 255.0f)
 #define HIGHLIGHT_FAINT (1 / 2048.0f)
 
-static float dot(const float a[3], const float b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Returns the length that @v had; a vector without length stays so. */
-static float normalise(float v[3])
+static float lighting_normalise(float v[3])
 {
-	float length = sqrtf(dot(v, v));
+	float length = sqrtf(number_dot(v, v));
 	float scale = length > 0 ? 1 / length : 0;
 
 	for (int i = 0; i < 3; i++)
@@ -29,19 +24,19 @@ static float normalise(float v[3])
 	return length;
 }
 
-static void product(float out[3], const float a[4], const float b[4])
+static void lighting_product(float out[3], const float a[4], const float b[4])
 {
 	for (int i = 0; i < 3; i++)
 		out[i] = a[i] * b[i];
 }
 
-static float brightest(const float rgb[3])
+static float lighting_brightest(const float rgb[3])
 {
 	return fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
 }
 
 /* log2 of a normal number: exponent, and the series of atanh on the rest, sqrt(1/2) to sqrt(2). */
-static float log2_of(float x)
+static float lighting_log2_of(float x)
 {
 	uint32_t bits;
 	int exponent;
@@ -58,7 +53,7 @@ static float log2_of(float x)
 }
 
 /* 2^y for -126 <= y <= 0: the exponent, and Taylor's series on the rest, -1/2 to 1/2. */
-static float exp2_of(float y)
+static float lighting_exp2_of(float y)
 {
 	int whole = (int)(y - 0.5f);
 	float f = y - (float)whole;
@@ -82,15 +77,15 @@ float accel_lighting_power(float x, float n)
 		return 1;
 	if (!(x >= 0x1p-126f))
 		return 0;
-	y = n * log2_of(x);
+	y = n * lighting_log2_of(x);
 	if (!(y > -126))
 		return 0;
-	return y < 0 ? exp2_of(y) : 1;
+	return y < 0 ? lighting_exp2_of(y) : 1;
 }
 
 static const float white[4] = { 1, 1, 1, 1 };
 
-static void lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
+static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
 		      const struct accel_light *light, bool painted)
 {
 	static const float ahead[3] = { 0, 0, 1 };
@@ -107,38 +102,38 @@ static void lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
 		lamp->attenuation[i] = light->attenuation[i];
 		lamp->cone_axis[i] = light->spot_direction[i];
 	}
-	normalise(lamp->cone_axis);
+	lighting_normalise(lamp->cone_axis);
 	if (!lamp->point)
-		normalise(lamp->position);
+		lighting_normalise(lamp->position);
 	for (int i = 0; i < 3; i++)
 		lamp->half[i] = lamp->position[i] + ahead[i];
-	normalise(lamp->half);
+	lighting_normalise(lamp->half);
 	for (int side = 0; side < 2; side++) {
 		const struct accel_material *material = &state->material[side];
 
-		product(lamp->ambient[side], light->ambient, painted ? white : material->ambient);
-		product(lamp->diffuse[side], light->diffuse, painted ? white : material->diffuse);
-		product(lamp->specular[side], light->specular, material->specular);
-		lamp->shines |= brightest(lamp->specular[side]) > 0;
+		lighting_product(lamp->ambient[side], light->ambient, painted ? white : material->ambient);
+		lighting_product(lamp->diffuse[side], light->diffuse, painted ? white : material->diffuse);
+		lighting_product(lamp->specular[side], light->specular, material->specular);
+		lamp->shines |= lighting_brightest(lamp->specular[side]) > 0;
 	}
 }
 
 /* The cosine at which @strength * cosine^n is @level; above 1 if it never is so bright. */
-static float fall_cosine(float strength, float n, float level)
+static float lighting_fall_cosine(float strength, float n, float level)
 {
 	if (strength <= level)
 		return 2;
 	return n > 0 ? (float)pow((double)(level / strength), 1 / (double)n) : 0;
 }
 
-static void finish_init(struct accel_lighting *lighting, const struct accel_state *state, int side,
+static void lighting_finish_init(struct accel_lighting *lighting, const struct accel_state *state, int side,
 			bool painted)
 {
 	const struct accel_material *material = &state->material[side];
 	struct accel_finish *finish = &lighting->finish[side];
 	float diffuse[3] = { 0 }, specular[3] = { 0 };
 
-	product(finish->base, state->ambient, painted ? white : material->ambient);
+	lighting_product(finish->base, state->ambient, painted ? white : material->ambient);
 	for (int i = 0; i < 3; i++) {
 		finish->emission[i] = painted ? material->emission[i] : 0;
 		finish->base[i] += painted ? 0 : material->emission[i];
@@ -153,12 +148,12 @@ static void finish_init(struct accel_lighting *lighting, const struct accel_stat
 	}
 	finish->alpha = painted ? 1 : fminf(fmaxf(material->diffuse[3], 0), 1);
 	finish->shininess = material->shininess;
-	finish->diffuse = brightest(diffuse);
-	finish->specular = brightest(specular);
+	finish->diffuse = lighting_brightest(diffuse);
+	finish->specular = lighting_brightest(specular);
 	finish->faint_cosine =
-		fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_FAINT);
+		lighting_fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_FAINT);
 	finish->visible_cosine =
-		fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_VISIBLE);
+		lighting_fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_VISIBLE);
 	finish->visible_sine =
 		sqrtf(fmaxf(1 - finish->visible_cosine * finish->visible_cosine, 0));
 }
@@ -174,15 +169,15 @@ void accel_lighting_init(struct accel_lighting *lighting, const struct accel_sta
 
 		if (!state->light[i].enabled)
 			continue;
-		lamp_init(lamp, state, &state->light[i], painted);
+		lighting_lamp_init(lamp, state, &state->light[i], painted);
 		lamp->bit = (uint8_t)(1 << i);
 		if (lamp->spot)
 			lighting->cone_exponent =
 				fmaxf(lighting->cone_exponent, lamp->cone_exponent);
 		lighting->lamps++;
 	}
-	finish_init(lighting, state, 0, painted);
-	finish_init(lighting, state, 1, painted);
+	lighting_finish_init(lighting, state, 0, painted);
+	lighting_finish_init(lighting, state, 1, painted);
 }
 
 /* A point of a surface and the directions there, all of unit length. */
@@ -192,14 +187,14 @@ struct point {
 };
 
 /* The direction towards a lamp that is a point; returns how much of its light arrives. */
-static float reach(const struct accel_lamp *lamp, const float eye[3], float to[3],
+static float lighting_reach(const struct accel_lamp *lamp, const float eye[3], float to[3],
 		   struct accel_sample *sample)
 {
 	float distance, near, cosine, factor;
 
 	for (int i = 0; i < 3; i++)
 		to[i] = lamp->position[i] - eye[i];
-	distance = normalise(to);
+	distance = lighting_normalise(to);
 	near = 1 / (distance * distance);
 	if (near > sample->near_lamp)
 		sample->near_lamp = near;
@@ -209,27 +204,27 @@ static float reach(const struct accel_lamp *lamp, const float eye[3], float to[3
 		       FLT_MAX);
 	if (!lamp->spot)
 		return factor;
-	cosine = -dot(to, lamp->cone_axis);
+	cosine = -number_dot(to, lamp->cone_axis);
 	if (cosine < lamp->cone_cosine)
 		return 0;
 	sample->in_cone |= lamp->bit;
 	return factor * accel_lighting_power(cosine, lamp->cone_exponent);
 }
 
-static float half_cosine(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
+static float lighting_half_cosine(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 			 const struct point *point, const float to[3])
 {
 	float half[3];
 
 	if (!lamp->point && !lighting->local_viewer)
-		return dot(point->normal, lamp->half);
+		return number_dot(point->normal, lamp->half);
 	for (int i = 0; i < 3; i++)
 		half[i] = to[i] + point->viewer[i];
-	normalise(half);
-	return dot(point->normal, half);
+	lighting_normalise(half);
+	return number_dot(point->normal, half);
 }
 
-static void add_lamp(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
+static void lighting_add_lamp(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 		     int side, const struct point *point, struct accel_sample *sample)
 {
 	const struct accel_finish *finish = &lighting->finish[side];
@@ -237,14 +232,14 @@ static void add_lamp(const struct accel_lighting *lighting, const struct accel_l
 	const float *to = lamp->position;
 
 	if (lamp->point) {
-		factor = reach(lamp, point->eye, away, sample);
+		factor = lighting_reach(lamp, point->eye, away, sample);
 		to = away;
 		for (int i = 0; i < 3; i++)
 			sample->colour[i] += factor * lamp->ambient[side][i] * point->paint[i];
 	}
-	cosine = dot(point->normal, to);
+	cosine = number_dot(point->normal, to);
 	if (lamp->shines) {
-		shine = half_cosine(lighting, lamp, point, to);
+		shine = lighting_half_cosine(lighting, lamp, point, to);
 		if (shine > sample->shine)
 			sample->shine = shine;
 		if (cosine > 0 && (shine > finish->faint_cosine || finish->shininess == 0))
@@ -260,7 +255,7 @@ static void add_lamp(const struct accel_lighting *lighting, const struct accel_l
 }
 
 /* Returns 1/distance^2 of the viewer, 0 if it is far away. */
-static float point_init(const struct accel_lighting *lighting, int side, const float eye[3],
+static float lighting_point_init(const struct accel_lighting *lighting, int side, const float eye[3],
 			const float normal[3], const float paint[4], struct point *point)
 {
 	float sign = side ? -1 : 1, distance;
@@ -268,16 +263,16 @@ static float point_init(const struct accel_lighting *lighting, int side, const f
 	*point = (struct point){ .eye = eye, .paint = paint, .viewer = { 0, 0, 1 } };
 	for (int i = 0; i < 3; i++)
 		point->normal[i] = sign * normal[i];
-	normalise(point->normal);
+	lighting_normalise(point->normal);
 	if (!lighting->local_viewer)
 		return 0;
 	for (int i = 0; i < 3; i++)
 		point->viewer[i] = -eye[i];
-	distance = normalise(point->viewer);
+	distance = lighting_normalise(point->viewer);
 	return 1 / (distance * distance);
 }
 
-static void clamp_colour(float colour[3])
+static void lighting_clamp_colour(float colour[3])
 {
 	for (int i = 0; i < 3; i++) {
 		/* Also turns what is not a number into 0. */
@@ -295,13 +290,13 @@ void accel_lighting_sample(const struct accel_lighting *lighting, int side, cons
 	struct point point;
 
 	*sample = (struct accel_sample){ .shine = -1 };
-	sample->near = point_init(lighting, side, eye, normal, paint, &point);
+	sample->near = lighting_point_init(lighting, side, eye, normal, paint, &point);
 	for (int i = 0; i < 3; i++)
 		sample->colour[i] = finish->base[i] * paint[i] + finish->emission[i];
 	for (int i = 0; i < lighting->lamps; i++)
-		add_lamp(lighting, &lighting->lamp[i], side, &point, sample);
+		lighting_add_lamp(lighting, &lighting->lamp[i], side, &point, sample);
 	sample->near = sample->near_lamp > sample->near ? sample->near_lamp : sample->near;
-	clamp_colour(sample->colour);
+	lighting_clamp_colour(sample->colour);
 	sample->colour[3] = finish->alpha * paint[3];
 }
 
@@ -312,9 +307,9 @@ void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
 	struct accel_sample sample = { .shine = -1 };
 	struct point point;
 
-	point_init(lighting, side, eye, normal, paint, &point);
-	add_lamp(lighting, lamp, side, &point, &sample);
-	clamp_colour(sample.colour);
+	lighting_point_init(lighting, side, eye, normal, paint, &point);
+	lighting_add_lamp(lighting, lamp, side, &point, &sample);
+	lighting_clamp_colour(sample.colour);
 	for (int i = 0; i < 3; i++)
 		colour[i] = sample.colour[i];
 }

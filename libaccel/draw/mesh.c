@@ -24,7 +24,7 @@ int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 }
 
 /* A mesh's colour, limited; white if @colour is NULL. */
-static int vertex_colour(const float *colour, float out[4])
+static int mesh_vertex_colour(const float *colour, float out[4])
 {
 	for (int i = 0; i < 4; i++) {
 		float value = colour ? colour[i] : 1;
@@ -49,7 +49,7 @@ int accel_mesh_transform(struct accel_pass *pass)
 		err = accel_geometry_vertex(&pass->transform, mesh->position[i],
 					    normal ? normal[i] : NULL, vertex);
 		if (!err)
-			err = vertex_colour(colour ? colour[i] : NULL, vertex->paint);
+			err = mesh_vertex_colour(colour ? colour[i] : NULL, vertex->paint);
 		/* Without lighting it is all there is to see. */
 		vertex->sample = (struct accel_sample){ 0 };
 		memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
@@ -63,7 +63,7 @@ int accel_mesh_transform(struct accel_pass *pass)
 }
 
 /* The direction in which the front of a triangle looks, by its vertices in eye space. */
-static void face_normal(const float a[3], const float b[3], const float c[3], float out[3])
+static void mesh_face_normal(const float a[3], const float b[3], const float c[3], float out[3])
 {
 	double n[3], length;
 
@@ -79,7 +79,7 @@ static void face_normal(const float a[3], const float b[3], const float c[3], fl
 }
 
 /* The side that is seen; -1: neither, or it is culled. */
-static int visible_side(const struct accel_state *state, int64_t area)
+static int mesh_visible_side(const struct accel_state *state, int64_t area)
 {
 	/* Counter-clockwise on screen is front, and window y points down. */
 	bool back = area > 0;
@@ -89,14 +89,14 @@ static int visible_side(const struct accel_state *state, int64_t area)
 	return back && state->two_sided && state->lighting ? 1 : 0;
 }
 
-static int cull(struct accel_pass *pass)
+static int mesh_cull(struct accel_pass *pass)
 {
 	pass->stats->culled++;
 	return 0;
 }
 
 /* The signed area of a polygon on screen. */
-static int64_t polygon_area(const struct accel_corner *polygon, int corners)
+static int64_t mesh_polygon_area(const struct accel_corner *polygon, int corners)
 {
 	int64_t area = 0;
 
@@ -106,7 +106,7 @@ static int64_t polygon_area(const struct accel_corner *polygon, int corners)
 	return area;
 }
 
-static int draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
+static int mesh_draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
 		    struct accel_vertex *flat, int64_t area, int side)
 {
 	int apex = accel_clip_apex(polygon, corners), err = 0;
@@ -135,7 +135,7 @@ static int draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int c
 	return err;
 }
 
-static int clip(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
+static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
 		const uint32_t index[3], uint32_t planes,
 		struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
@@ -149,7 +149,7 @@ static int clip(const struct accel_pass *pass, struct accel_vertex *const vertex
 }
 
 /* The same, with the light at the triangle's own vertices to interpolate between. */
-static void clip_lit(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
+static void mesh_clip_lit(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
 		     const uint32_t index[3], uint32_t planes, int side,
 		     struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
@@ -157,12 +157,12 @@ static void clip_lit(const struct accel_pass *pass, struct accel_vertex *const v
 
 	for (int i = 0; i < 3; i++)
 		accel_shading_vertex(pass, vertex[i], side);
-	corners = clip(pass, vertex, index, planes, polygon);
+	corners = mesh_clip(pass, vertex, index, planes, polygon);
 	for (int i = 0; i < corners; i++)
 		polygon[i].vertex.sampled = 1u + (unsigned int)side;
 }
 
-static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
+static int mesh_draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
 			const uint32_t index[3], uint32_t planes)
 {
 	struct accel_corner polygon[ACCEL_POLYGON_MAX];
@@ -171,30 +171,30 @@ static int draw_clipped(struct accel_pass *pass, struct accel_vertex *const vert
 	int corners, side;
 
 	flat.sampled = 0;
-	corners = clip(pass, vertex, index, planes, polygon);
-	area = polygon_area(polygon, corners);
-	side = visible_side(pass->state, area);
+	corners = mesh_clip(pass, vertex, index, planes, polygon);
+	area = mesh_polygon_area(polygon, corners);
+	side = mesh_visible_side(pass->state, area);
 	if (side < 0)
-		return cull(pass);
+		return mesh_cull(pass);
 	if (pass->lit && pass->interpolated)
-		clip_lit(pass, vertex, index, planes, side, polygon);
-	return draw_fan(pass, polygon, corners, &flat, area, side);
+		mesh_clip_lit(pass, vertex, index, planes, side, polygon);
+	return mesh_draw_fan(pass, polygon, corners, &flat, area, side);
 }
 
 /* Copies of a triangle's vertices that have its own normal. */
-static void flatten(struct accel_vertex *vertex[3], struct accel_vertex own[3])
+static void mesh_flatten(struct accel_vertex *vertex[3], struct accel_vertex own[3])
 {
 	for (int i = 0; i < 3; i++) {
 		own[i] = *vertex[i];
 		vertex[i] = &own[i];
 	}
-	face_normal(own[0].eye, own[1].eye, own[2].eye, own[0].normal);
+	mesh_face_normal(own[0].eye, own[1].eye, own[2].eye, own[0].normal);
 	memcpy(own[1].normal, own[0].normal, sizeof(own[0].normal));
 	memcpy(own[2].normal, own[0].normal, sizeof(own[0].normal));
 }
 
 /* The last of @index is the vertex that gives a flat triangle its colour. */
-static int draw_triangle(struct accel_pass *pass, const uint32_t index[3])
+static int mesh_draw_triangle(struct accel_pass *pass, const uint32_t index[3])
 {
 	bool shared = !pass->lit || pass->mesh->normal;
 	struct accel_vertex *vertex[3], own[3];
@@ -208,19 +208,19 @@ static int draw_triangle(struct accel_pass *pass, const uint32_t index[3])
 		all &= vertex[i]->outside;
 	}
 	if (all)
-		return cull(pass);
+		return mesh_cull(pass);
 	if (!shared)
-		flatten(vertex, own);
+		mesh_flatten(vertex, own);
 	if (any & ACCEL_OUTSIDE_CLIP)
-		return draw_clipped(pass, vertex, index, any & ACCEL_OUTSIDE_CLIP);
-	side = visible_side(pass->state, accel_surface_area(vertex[0], vertex[1], vertex[2]));
+		return mesh_draw_clipped(pass, vertex, index, any & ACCEL_OUTSIDE_CLIP);
+	side = mesh_visible_side(pass->state, accel_surface_area(vertex[0], vertex[1], vertex[2]));
 	if (side < 0)
-		return cull(pass);
+		return mesh_cull(pass);
 	return accel_split_draw(pass, vertex, shared ? index : NULL, vertex[2], side);
 }
 
 /* The vertices of the triangle that element @i of the mesh begins. */
-static void triangle_index(const struct accel_mesh *mesh, uint32_t i, uint32_t index[3])
+static void mesh_triangle_index(const struct accel_mesh *mesh, uint32_t i, uint32_t index[3])
 {
 	uint32_t element[3] = { i, i + 1, i + 2 };
 
@@ -244,8 +244,8 @@ int accel_mesh_draw(struct accel_pass *pass)
 	int err = 0;
 
 	for (uint32_t i = 0; elements - i >= 3 && !err; i += step) {
-		triangle_index(mesh, i, index);
-		err = draw_triangle(pass, index);
+		mesh_triangle_index(mesh, i, index);
+		err = mesh_draw_triangle(pass, index);
 	}
 	return err;
 }

@@ -2,15 +2,15 @@
 /* One TRIANGLE packet: a triangle's edges and surfaces, as a tile has them. */
 #include "draw/draw_priv.h"
 
-static int anchor_x(const struct accel_place *place)
+static int record_anchor_x(const struct accel_place *place)
 {
 	int x = place->covering ? 0 : place->row->left - place->x;
 
-	x = x < 0 ? 0 : x > place->tile_size - 1 ? place->tile_size - 1 : x;
+	x = number_clamp(x, 0, place->tile_size - 1);
 	return place->x + (x & ~((int)GLOSS_ANCHOR_ALIGN - 1));
 }
 
-static void edges_wide(struct gloss_edges_wide *edges, const struct accel_setup *setup,
+static void record_edges_wide(struct gloss_edges_wide *edges, const struct accel_setup *setup,
 		       const struct accel_place *place)
 {
 	const struct accel_line *left = accel_setup_line(setup, place->first, false);
@@ -40,22 +40,22 @@ static void edges_wide(struct gloss_edges_wide *edges, const struct accel_setup 
 	edges->middle_dy = (uint32_t)setup->middle.dy;
 }
 
-static uint32_t pack_edges_wide(uint32_t *words, const struct accel_setup *setup,
+static uint32_t record_pack_edges_wide(uint32_t *words, const struct accel_setup *setup,
 				const struct accel_place *place)
 {
 	struct gloss_edges_wide edges;
 
-	edges_wide(&edges, setup, place);
+	record_edges_wide(&edges, setup, place);
 	gloss_edges_wide_pack(words, &edges);
 	return GLOSS_EDGES_WIDE_WORDS;
 }
 
-static uint32_t pack_edges_compact(uint32_t *words, const struct accel_setup *setup,
+static uint32_t record_pack_edges_compact(uint32_t *words, const struct accel_setup *setup,
 				   const struct accel_place *place)
 {
 	struct gloss_edges_wide wide;
 
-	edges_wide(&wide, setup, place);
+	record_edges_wide(&wide, setup, place);
 	gloss_edges_compact_pack(words, &(struct gloss_edges_compact){
 		.left_r = wide.left_r,
 		.left_m = wide.left_m,
@@ -80,25 +80,25 @@ static uint32_t pack_edges_compact(uint32_t *words, const struct accel_setup *se
 	return GLOSS_EDGES_COMPACT_WORDS;
 }
 
-static uint32_t high_byte(int64_t value)
+static uint32_t record_high_byte(int64_t value)
 {
 	return (uint32_t)((uint64_t)value >> 32) & 0xff;
 }
 
-static uint32_t pack_depth_wide(uint32_t *words, int64_t z, int64_t dx, int64_t dy)
+static uint32_t record_pack_depth_wide(uint32_t *words, int64_t z, int64_t dx, int64_t dy)
 {
 	gloss_depth_wide_pack(words, &(struct gloss_depth_wide){
 		.z = (uint32_t)z,
 		.dx = (uint32_t)dx,
 		.dy = (uint32_t)dy,
-		.z_high = high_byte(z),
-		.dx_high = high_byte(dx),
-		.dy_high = high_byte(dy),
+		.z_high = record_high_byte(z),
+		.dx_high = record_high_byte(dx),
+		.dy_high = record_high_byte(dy),
 	});
 	return GLOSS_DEPTH_WIDE_WORDS;
 }
 
-static uint32_t pack_depth_compact(uint32_t *words, int64_t z, int64_t dx, int64_t dy)
+static uint32_t record_pack_depth_compact(uint32_t *words, int64_t z, int64_t dx, int64_t dy)
 {
 	gloss_depth_compact_pack(words, &(struct gloss_depth_compact){
 		.z = (int32_t)(z >> GLOSS_DEPTH_COMPACT_SHIFT),
@@ -108,17 +108,17 @@ static uint32_t pack_depth_compact(uint32_t *words, int64_t z, int64_t dx, int64
 	return GLOSS_DEPTH_COMPACT_WORDS;
 }
 
-static uint32_t pack_depth(uint32_t *words, const struct accel_plane *plane, bool compact, int x,
+static uint32_t record_pack_depth(uint32_t *words, const struct accel_plane *plane, bool compact, int x,
 			   int y)
 {
 	int64_t z = plane->z + (x - plane->x) * plane->dx + (y - plane->y) * plane->dy;
 
-	return compact ? pack_depth_compact(words, z, plane->dx, plane->dy) :
-			 pack_depth_wide(words, z, plane->dx, plane->dy);
+	return compact ? record_pack_depth_compact(words, z, plane->dx, plane->dy) :
+			 record_pack_depth_wide(words, z, plane->dx, plane->dy);
 }
 
 /* A surface moved to where it is asked for; the core's arithmetic wraps, and so does this. */
-static void surface_at(const struct accel_surface *surface, uint32_t u, uint32_t v,
+static void record_surface_at(const struct accel_surface *surface, uint32_t u, uint32_t v,
 		       struct accel_surface *moved)
 {
 	/* Products of neighbours: u (u - 1) / 2 is whole before it wraps. */
@@ -133,12 +133,12 @@ static void surface_at(const struct accel_surface *surface, uint32_t u, uint32_t
 }
 
 /* The words of a linear form are the first three of a second-order one. */
-static uint32_t pack_surface(uint32_t *words, const struct accel_surface *surface, uint32_t u,
+static uint32_t record_pack_surface(uint32_t *words, const struct accel_surface *surface, uint32_t u,
 			     uint32_t v, bool linear)
 {
 	struct accel_surface moved;
 
-	surface_at(surface, u, v, &moved);
+	record_surface_at(surface, u, v, &moved);
 	words[0] = moved.i;
 	words[1] = moved.dx;
 	words[2] = moved.dy;
@@ -150,16 +150,16 @@ static uint32_t pack_surface(uint32_t *words, const struct accel_surface *surfac
 	return 6;
 }
 
-static uint32_t pack_colour(uint32_t *words, const struct accel_triangle *triangle, int x, int y)
+static uint32_t record_pack_colour(uint32_t *words, const struct accel_triangle *triangle, int x, int y)
 {
 	uint32_t u = (uint32_t)(x - triangle->x), v = (uint32_t)(y - triangle->y), count = 0;
 	bool flat = triangle->shading == GLOSS_SHADING_FLAT;
 	bool linear = triangle->shading == GLOSS_SHADING_LINEAR;
 
 	if (triangle->alpha_linear)
-		count += pack_surface(words, &triangle->channel[3], u, v, true);
+		count += record_pack_surface(words, &triangle->channel[3], u, v, true);
 	for (int i = 0; i < 3 && !flat; i++)
-		count += pack_surface(words + count, &triangle->channel[i], u, v, linear);
+		count += record_pack_surface(words + count, &triangle->channel[i], u, v, linear);
 	if (!flat)
 		return count;
 	gloss_colour_flat_pack(words + count, &(struct gloss_colour_flat){
@@ -174,7 +174,7 @@ uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
 			   const struct accel_triangle *triangle, const struct accel_place *place)
 {
 	bool compact = !place->covering && triangle->setup.narrow && triangle->plane->narrow;
-	int x = anchor_x(place);
+	int x = record_anchor_x(place);
 	uint32_t count = 1;
 
 	gloss_triangle_pack(words, &(struct gloss_triangle){
@@ -185,11 +185,11 @@ uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
 		.alpha = triangle->alpha_linear ? 0 : triangle->constant[3],
 	});
 	if (compact)
-		count += pack_edges_compact(words + count, &triangle->setup, place);
+		count += record_pack_edges_compact(words + count, &triangle->setup, place);
 	else if (!place->covering)
-		count += pack_edges_wide(words + count, &triangle->setup, place);
-	count += pack_depth(words + count, triangle->plane, compact, x, place->first);
-	return count + pack_colour(words + count, triangle, x, place->first);
+		count += record_pack_edges_wide(words + count, &triangle->setup, place);
+	count += record_pack_depth(words + count, triangle->plane, compact, x, place->first);
+	return count + record_pack_colour(words + count, triangle, x, place->first);
 }
 
 uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, uint32_t depth)
@@ -201,7 +201,7 @@ uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, 
 		.shading = GLOSS_SHADING_FLAT,
 		.alpha = colour >> 24,
 	});
-	count += pack_depth_wide(words + count, (int64_t)depth << GLOSS_DEPTH_FRACTION, 0, 0);
+	count += record_pack_depth_wide(words + count, (int64_t)depth << GLOSS_DEPTH_FRACTION, 0, 0);
 	gloss_colour_flat_pack(words + count, &(struct gloss_colour_flat){
 		.red = colour & 0xff,
 		.green = colour >> 8 & 0xff,

@@ -46,7 +46,7 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 }
 
 /* How far from @a and from @b, in space, the point is that is halfway on the screen. */
-static void halfway(const struct accel_vertex *a, const struct accel_vertex *b, float *of_a,
+static void shading_halfway(const struct accel_vertex *a, const struct accel_vertex *b, float *of_a,
 		    float *of_b)
 {
 	double sum = 1 / ((double)a->w + (double)b->w);
@@ -60,7 +60,7 @@ void accel_shading_middle(const struct accel_vertex *a, const struct accel_verte
 {
 	float s, t;
 
-	halfway(a, b, &s, &t);
+	shading_halfway(a, b, &s, &t);
 	middle->x = (a->x + b->x) / 2;
 	middle->y = (a->y + b->y) / 2;
 	middle->w = s * a->w + t * b->w;
@@ -84,25 +84,15 @@ bool accel_shading_divisible(const struct accel_vertex *a, const struct accel_ve
 	return a->level < ACCEL_SPLIT_LEVELS && b->level < ACCEL_SPLIT_LEVELS;
 }
 
-static float dot(const float a[3], const float b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static float larger(float a, float b)
-{
-	return a > b ? a : b;
-}
-
 /* The square of the angle between the normals (of its chord, exactly). */
-static float normal_spread(const struct accel_vertex *a, const struct accel_vertex *b)
+static float shading_normal_spread(const struct accel_vertex *a, const struct accel_vertex *b)
 {
-	float length = dot(a->normal, a->normal) * dot(b->normal, b->normal);
+	float length = number_dot(a->normal, a->normal) * number_dot(b->normal, b->normal);
 
-	return length > 0 ? larger(2 - 2 * dot(a->normal, b->normal) / sqrtf(length), 0) : 0;
+	return length > 0 ? number_larger(2 - 2 * number_dot(a->normal, b->normal) / sqrtf(length), 0) : 0;
 }
 
-static float distance_squared(const struct accel_vertex *a, const struct accel_vertex *b)
+static float shading_distance_squared(const struct accel_vertex *a, const struct accel_vertex *b)
 {
 	float sum = 0;
 
@@ -115,7 +105,7 @@ static float distance_squared(const struct accel_vertex *a, const struct accel_v
 }
 
 /* The square of an edge's length on the screen in pixels. */
-static float screen_length(const struct accel_vertex *a, const struct accel_vertex *b)
+static float shading_screen_length(const struct accel_vertex *a, const struct accel_vertex *b)
 {
 	const float scale = 1.0f / ACCEL_WINDOW_ONE;
 	float x = (float)(b->x - a->x) * scale, y = (float)(b->y - a->y) * scale;
@@ -129,7 +119,7 @@ static float screen_length(const struct accel_vertex *a, const struct accel_vert
  * (a near viewer, a near lamp) there is no closed form for its nearest approach; but it can not
  * come nearer than the angle that is left.
  */
-static bool highlight_near(const struct accel_finish *finish, float shine, float sine_squared)
+static bool shading_highlight_near(const struct accel_finish *finish, float shine, float sine_squared)
 {
 	float sine, cosine;
 
@@ -151,52 +141,52 @@ struct span {
 	bool even;			/* both ends have the same lights */
 };
 
-static void span_init(const struct accel_pass *pass, const struct accel_vertex *a,
+static void shading_span_init(const struct accel_pass *pass, const struct accel_vertex *a,
 		      const struct accel_vertex *b, struct span *span)
 {
 	const struct accel_sample *sa = &a->sample, *sb = &b->sample;
-	float near = larger(sa->near, sb->near), normals, place;
+	float near = number_larger(sa->near, sb->near), normals, place;
 
-	*span = (struct span){ .length = screen_length(a, b), .even = true };
+	*span = (struct span){ .length = shading_screen_length(a, b), .even = true };
 	if (!pass->lit)
 		return;
-	normals = normal_spread(a, b);
-	place = near > 0 ? near * distance_squared(a, b) : 0;
+	normals = shading_normal_spread(a, b);
+	place = near > 0 ? near * shading_distance_squared(a, b) : 0;
 	span->spread = normals + place + 2 * sqrtf(normals * place);
 	span->lamp = sa->near_lamp > 0 || sb->near_lamp > 0 ?
-		larger(sa->near_lamp, sb->near_lamp) * distance_squared(a, b) : 0;
-	span->shine = larger(sa->shine, sb->shine);
+		number_larger(sa->near_lamp, sb->near_lamp) * shading_distance_squared(a, b) : 0;
+	span->shine = number_larger(sa->shine, sb->shine);
 	span->even = sa->facing == sb->facing && sa->in_cone == sb->in_cone;
 }
 
 /* Bound of the midpoint's distance from the straight line, from second derivatives. */
-static float bend(const struct accel_pass *pass, const struct accel_vertex *a,
+static float shading_bend(const struct accel_pass *pass, const struct accel_vertex *a,
 		  const struct accel_vertex *b, const struct accel_finish *finish,
 		  const struct span *span)
 {
 	float change = 0, strength = finish->diffuse, w = fabsf(a->w - b->w) / (2 * (a->w + b->w));
 
 	for (int i = 0; i < 3; i++)
-		change = larger(change, fabsf(a->sample.colour[i] - b->sample.colour[i]));
+		change = number_larger(change, fabsf(a->sample.colour[i] - b->sample.colour[i]));
 	/* Within half the edge of one of its ends. */
-	if (highlight_near(finish, span->shine, span->spread / 4))
-		strength += finish->specular * larger(finish->shininess, 1);
+	if (shading_highlight_near(finish, span->shine, span->spread / 4))
+		strength += finish->specular * number_larger(finish->shininess, 1);
 	/* Attenuation falls with the square of the distance at most. */
 	return change * w + (strength * span->spread + (finish->diffuse + finish->specular) *
 			     (pass->lighting.cone_exponent + 6) * span->lamp) / 8;
 }
 
-static float deviation(const float a[3], const float b[3])
+static float shading_deviation(const float a[3], const float b[3])
 {
 	float most = 0;
 
 	for (int i = 0; i < 3; i++)
-		most = larger(most, fabsf(a[i] - b[i]));
+		most = number_larger(most, fabsf(a[i] - b[i]));
 	return most;
 }
 
 /* The curve's error a quarter of the way from @a, where the exact light is taken again. */
-static float curve_error(const struct accel_pass *pass, const struct accel_vertex *a,
+static float shading_curve_error(const struct accel_pass *pass, const struct accel_vertex *a,
 			 const struct accel_vertex *middle, const struct accel_vertex *b, int side)
 {
 	struct accel_vertex quarter;
@@ -207,17 +197,17 @@ static float curve_error(const struct accel_pass *pass, const struct accel_verte
 	for (int i = 0; i < 3; i++)
 		curve[i] = 0.375f * a->sample.colour[i] + 0.75f * middle->sample.colour[i] -
 			   0.125f * b->sample.colour[i];
-	return deviation(curve, quarter.sample.colour);
+	return shading_deviation(curve, quarter.sample.colour);
 }
 
-static bool wants_split(const struct accel_pass *pass, const struct accel_vertex *a,
+static bool shading_wants_split(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *middle, const struct accel_vertex *b, int side,
 			const struct span *span, float off_line)
 {
 	const struct accel_finish *finish = &pass->lighting.finish[side];
 	float narrow = span->spread * finish->shininess;
 	bool shines = narrow > HIGHLIGHT_WIDE &&
-		highlight_near(finish, larger(span->shine, middle->sample.shine),
+		shading_highlight_near(finish, number_larger(span->shine, middle->sample.shine),
 			       span->spread / 16);
 	bool lit = a->sample.facing || b->sample.facing || middle->sample.facing;
 
@@ -228,13 +218,13 @@ static bool wants_split(const struct accel_pass *pass, const struct accel_vertex
 		return true;
 	if (!shines && span->even && off_line < EXAMINE)
 		return false;
-	return curve_error(pass, a, middle, b, side) > CURVE ||
-	       curve_error(pass, b, middle, a, side) > CURVE;
+	return shading_curve_error(pass, a, middle, b, side) > CURVE ||
+	       shading_curve_error(pass, b, middle, a, side) > CURVE;
 }
 
 /* Moves the curve from the straight line's middle, but not so far that its control point, which
  * bounds it, is more than s10.22 holds. */
-static void bend_to(float colour[3], const float middle[3])
+static void shading_bend_to(float colour[3], const float middle[3])
 {
 	for (int i = 0; i < 3; i++) {
 		float most = (ACCEL_COLOUR_MAX + colour[i]) / 2;
@@ -248,7 +238,7 @@ static void bend_to(float colour[3], const float middle[3])
  * the control point to where it may be: between the ends if the light rises or falls from one to
  * the other, else above 0 and, with a rim on the edge, below the samples.
  */
-static float spot_correction(float a, float m, float b, bool rim)
+static float shading_spot_correction(float a, float m, float b, bool rim)
 {
 	float control = 2 * m - (a + b) / 2, low = a < b ? a : b, high = a < b ? b : a, bounded;
 
@@ -261,7 +251,7 @@ static float spot_correction(float a, float m, float b, bool rim)
 }
 
 /* What a spot adds at a vertex, of the colour that is there. */
-static void spot_light(const struct accel_pass *pass, const struct accel_lamp *lamp,
+static void shading_spot_light(const struct accel_pass *pass, const struct accel_lamp *lamp,
 		       const struct accel_vertex *vertex, int side, float colour[3])
 {
 	accel_lighting_lamp(&pass->lighting, side, lamp, vertex->eye, vertex->normal, vertex->paint,
@@ -275,7 +265,7 @@ static void spot_light(const struct accel_pass *pass, const struct accel_lamp *l
  * Light only adds, and so must its curve; but through the step that a rim is it would swing to both
  * sides, and leave pixels darker than without the spot.
  */
-static void bound_spots(const struct accel_pass *pass, const struct accel_vertex *a,
+static void shading_bound_spots(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *middle, const struct accel_vertex *b, int side,
 			float colour[3])
 {
@@ -288,17 +278,17 @@ static void bound_spots(const struct accel_pass *pass, const struct accel_vertex
 
 		if (!(any & lamp->bit))
 			continue;
-		spot_light(pass, lamp, a, side, of_a);
-		spot_light(pass, lamp, middle, side, of_middle);
-		spot_light(pass, lamp, b, side, of_b);
+		shading_spot_light(pass, lamp, a, side, of_a);
+		shading_spot_light(pass, lamp, middle, side, of_middle);
+		shading_spot_light(pass, lamp, b, side, of_b);
 		for (int j = 0; j < 3; j++)
-			colour[j] += spot_correction(of_a[j], of_middle[j], of_b[j],
+			colour[j] += shading_spot_correction(of_a[j], of_middle[j], of_b[j],
 						     !(all & lamp->bit));
 	}
 }
 
 /* The second-order curve through the light at the middle. */
-static void sampled_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+static void shading_sampled_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			 const struct accel_vertex *b, int side, const struct span *span,
 			 struct accel_edge *edge)
 {
@@ -310,15 +300,15 @@ static void sampled_edge(const struct accel_pass *pass, const struct accel_verte
 	accel_shading_vertex(pass, &middle, side);
 	edge->middle = middle.sample;
 	edge->sampled = true;
-	off_line = deviation(edge->colour, middle.sample.colour);
+	off_line = shading_deviation(edge->colour, middle.sample.colour);
 	edge->split = adaptive && accel_shading_divisible(a, b) &&
-		      wants_split(pass, a, &middle, b, side, span, off_line);
+		      shading_wants_split(pass, a, &middle, b, side, span, off_line);
 	edge->curved = !adaptive || off_line >= STRAIGHT;
 	if (!edge->curved)
 		return;
 	if (pass->lit)
-		bound_spots(pass, a, &middle, b, side, middle.sample.colour);
-	bend_to(edge->colour, middle.sample.colour);
+		shading_bound_spots(pass, a, &middle, b, side, middle.sample.colour);
+	shading_bend_to(edge->colour, middle.sample.colour);
 }
 
 void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
@@ -331,18 +321,18 @@ void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex
 		accel_interpolate_edge(a, b, edge);
 		return;
 	}
-	span_init(pass, a, b, &span);
+	shading_span_init(pass, a, b, &span);
 	*edge = (struct accel_edge){ .spread = span.spread };
 	for (int i = 0; i < 3; i++)
 		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
 	if (pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
 	    (span.length >= CURVE_LENGTH * CURVE_LENGTH &&
-	     !(span.even && bend(pass, a, b, finish, &span) < STRAIGHT)))
-		sampled_edge(pass, a, b, side, &span, edge);
+	     !(span.even && shading_bend(pass, a, b, finish, &span) < STRAIGHT)))
+		shading_sampled_edge(pass, a, b, side, &span, edge);
 }
 
 /* Vertices with neighbouring indices fall on different entries. */
-static uint32_t cache_slot(uint32_t low, uint32_t high)
+static uint32_t shading_cache_slot(uint32_t low, uint32_t high)
 {
 	return (low * 0x9e3779b1u ^ high * 0x85ebca77u) >> 21;
 }
@@ -351,7 +341,7 @@ void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t
 			     struct accel_edge *edge)
 {
 	uint32_t low = a < b ? a : b, high = a < b ? b : a;
-	struct accel_edge_entry *entry = &pass->cache[cache_slot(low, high)];
+	struct accel_edge_entry *entry = &pass->cache[shading_cache_slot(low, high)];
 	uint64_t key = (uint64_t)high << 32 | low, number = 2 * pass->number + (uint64_t)side;
 
 	if (entry->key != key || entry->pass != number) {
@@ -395,14 +385,14 @@ bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 	if (pass->interpolated)
 		return accel_interpolate_inside(patch);
 	for (int i = 0; i < 3; i++)
-		spread = larger(spread, patch->edge[i]->spread);
-	if (!(spread * larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
+		spread = number_larger(spread, patch->edge[i]->spread);
+	if (!(spread * number_larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
 		return false;
 	accel_shading_centre(patch, &middle);
 	accel_shading_vertex(pass, &middle, side);
 	/* No point is farther from the middle than two thirds of the longest edge. */
 	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
-	    highlight_near(finish, middle.sample.shine, spread * 4 / 9))
+	    shading_highlight_near(finish, middle.sample.shine, spread * 4 / 9))
 		return true;
 	for (int i = 0; i < 3; i++)
 		curve[i] = (4 * (patch->edge[0]->colour[i] + patch->edge[1]->colour[i] +
@@ -410,5 +400,5 @@ bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 			    (patch->vertex[0]->sample.colour[i] +
 			     patch->vertex[1]->sample.colour[i] +
 			     patch->vertex[2]->sample.colour[i])) / 9;
-	return deviation(curve, middle.sample.colour) > CURVE;
+	return shading_deviation(curve, middle.sample.colour) > CURVE;
 }

@@ -20,9 +20,9 @@ struct cut {
 	struct accel_edge half[2];
 };
 
-static int draw_part(const struct whole *whole, const struct accel_patch *patch);
+static int split_draw_part(const struct whole *whole, const struct accel_patch *patch);
 
-static void cut_init(const struct whole *whole, const struct accel_patch *patch, int i,
+static void split_cut_init(const struct whole *whole, const struct accel_patch *patch, int i,
 		     struct cut *cut)
 {
 	const struct accel_vertex *a = patch->vertex[i], *b = patch->vertex[(i + 1) % 3];
@@ -38,7 +38,7 @@ static void cut_init(const struct whole *whole, const struct accel_patch *patch,
 	accel_shading_edge(whole->pass, &cut->middle, b, whole->side, &cut->half[1]);
 }
 
-static void inner_edge(const struct whole *whole, const struct accel_vertex *a,
+static void split_inner_edge(const struct whole *whole, const struct accel_vertex *a,
 		       const struct accel_vertex *b, struct accel_edge *edge)
 {
 	accel_shading_edge(whole->pass, a, b, whole->side, edge);
@@ -52,14 +52,14 @@ static int split_one(const struct whole *whole, const struct accel_patch *p)
 	struct cut cut;
 	int err;
 
-	cut_init(whole, p, 0, &cut);
-	inner_edge(whole, &cut.middle, v[2], &inner);
-	err = draw_part(whole, &(struct accel_patch){
+	split_cut_init(whole, p, 0, &cut);
+	split_inner_edge(whole, &cut.middle, v[2], &inner);
+	err = split_draw_part(whole, &(struct accel_patch){
 			{ v[0], &cut.middle, v[2] },
 			{ &cut.half[0], &inner, p->edge[2] } });
 	if (err)
 		return err;
-	return draw_part(whole, &(struct accel_patch){
+	return split_draw_part(whole, &(struct accel_patch){
 			 { &cut.middle, v[1], v[2] },
 			 { &cut.half[1], p->edge[1], &inner } });
 }
@@ -72,21 +72,21 @@ static int split_two(const struct whole *whole, const struct accel_patch *p)
 	struct cut cut[2];
 	int err;
 
-	cut_init(whole, p, 0, &cut[0]);
-	cut_init(whole, p, 1, &cut[1]);
-	inner_edge(whole, &cut[0].middle, &cut[1].middle, &across);
-	inner_edge(whole, &cut[0].middle, v[2], &inner);
-	err = draw_part(whole, &(struct accel_patch){
+	split_cut_init(whole, p, 0, &cut[0]);
+	split_cut_init(whole, p, 1, &cut[1]);
+	split_inner_edge(whole, &cut[0].middle, &cut[1].middle, &across);
+	split_inner_edge(whole, &cut[0].middle, v[2], &inner);
+	err = split_draw_part(whole, &(struct accel_patch){
 			{ &cut[0].middle, v[1], &cut[1].middle },
 			{ &cut[0].half[1], &cut[1].half[0], &across } });
 	if (err)
 		return err;
-	err = draw_part(whole, &(struct accel_patch){
+	err = split_draw_part(whole, &(struct accel_patch){
 			{ &cut[0].middle, &cut[1].middle, v[2] },
 			{ &across, &cut[1].half[1], &inner } });
 	if (err)
 		return err;
-	return draw_part(whole, &(struct accel_patch){
+	return split_draw_part(whole, &(struct accel_patch){
 			 { v[0], &cut[0].middle, v[2] },
 			 { &cut[0].half[0], &inner, p->edge[2] } });
 }
@@ -99,24 +99,24 @@ static int split_three(const struct whole *whole, const struct accel_patch *p)
 	int err = 0;
 
 	for (int i = 0; i < 3; i++)
-		cut_init(whole, p, i, &cut[i]);
+		split_cut_init(whole, p, i, &cut[i]);
 	for (int i = 0; i < 3; i++)
-		inner_edge(whole, &cut[i].middle, &cut[(i + 2) % 3].middle, &inner[i]);
+		split_inner_edge(whole, &cut[i].middle, &cut[(i + 2) % 3].middle, &inner[i]);
 	for (int i = 0; i < 3 && !err; i++) {
 		const struct cut *before = &cut[(i + 2) % 3];
 
-		err = draw_part(whole, &(struct accel_patch){
+		err = split_draw_part(whole, &(struct accel_patch){
 			{ p->vertex[i], &cut[i].middle, &before->middle },
 			{ &cut[i].half[0], &inner[i], &before->half[1] } });
 	}
 	if (err)
 		return err;
-	return draw_part(whole, &(struct accel_patch){
+	return split_draw_part(whole, &(struct accel_patch){
 		{ &cut[0].middle, &cut[1].middle, &cut[2].middle },
 		{ &inner[1], &inner[2], &inner[0] } });
 }
 
-static struct accel_patch rotate(const struct accel_patch *patch, int by)
+static struct accel_patch split_rotate(const struct accel_patch *patch, int by)
 {
 	struct accel_patch turned;
 
@@ -138,7 +138,7 @@ static struct accel_patch split_first(const struct accel_patch *patch, int count
 	else
 		while (patch->edge[(by + 2) % 3]->split)
 			by++;
-	return rotate(patch, by);
+	return split_rotate(patch, by);
 }
 
 static int split(const struct whole *whole, const struct accel_patch *patch, int count)
@@ -152,7 +152,7 @@ static int split(const struct whole *whole, const struct accel_patch *patch, int
 }
 
 /* Can all edges be split? */
-static bool is_divisible(const struct accel_patch *patch)
+static bool split_is_divisible(const struct accel_patch *patch)
 {
 	for (int i = 0; i < 3; i++)
 		if (patch->vertex[i]->level == ACCEL_SPLIT_LEVELS)
@@ -161,7 +161,7 @@ static bool is_divisible(const struct accel_patch *patch)
 }
 
 /* The middle of a tall triangle has more digits than its edges; of quarters it has not. */
-static bool inner_fits(const struct accel_patch *patch, int count)
+static bool split_inner_fits(const struct accel_patch *patch, int count)
 {
 	struct accel_patch turned = split_first(patch, count);
 	struct accel_vertex middle;
@@ -179,14 +179,14 @@ static int splits(const struct whole *whole, const struct accel_patch *patch)
 		return 0;
 	for (int i = 0; i < 3; i++)
 		count += patch->edge[i]->split;
-	if (count == 3 || (count && inner_fits(patch, count)))
+	if (count == 3 || (count && split_inner_fits(patch, count)))
 		return count;
-	if (!is_divisible(patch))
+	if (!split_is_divisible(patch))
 		return 0;
 	return count || accel_shading_inside(whole->pass, patch, whole->side) ? 3 : 0;
 }
 
-static int draw(struct accel_pass *pass, const struct accel_triangle *triangle)
+static int split_draw(struct accel_pass *pass, const struct accel_triangle *triangle)
 {
 	switch (triangle->shading) {
 	case GLOSS_SHADING_FLAT:
@@ -201,11 +201,11 @@ static int draw(struct accel_pass *pass, const struct accel_triangle *triangle)
 	return accel_bin_triangle(pass->bin, triangle);
 }
 
-static int draw_part(const struct whole *whole, const struct accel_patch *patch)
+static int split_draw_part(const struct whole *whole, const struct accel_patch *patch)
 {
 	struct accel_pass *pass = whole->pass;
 	struct accel_triangle triangle = { .plane = &whole->plane };
-	struct accel_frame frame;
+	struct accel_basis basis;
 	int count;
 
 	if (!accel_setup_init(&triangle.setup, patch->vertex) ||
@@ -214,13 +214,13 @@ static int draw_part(const struct whole *whole, const struct accel_patch *patch)
 	count = splits(whole, patch);
 	if (count)
 		return split(whole, patch, count);
-	accel_surface_frame(&frame, patch->vertex);
-	accel_surface_patch(&triangle, &frame, patch);
-	return draw(pass, &triangle);
+	accel_surface_basis(&basis, patch->vertex);
+	accel_surface_patch(&triangle, &basis, patch);
+	return split_draw(pass, &triangle);
 }
 
-static int draw_patch(const struct whole *whole, struct accel_triangle *triangle,
-		      const struct accel_frame *frame, const struct accel_vertex *const vertex[3],
+static int split_draw_patch(const struct whole *whole, struct accel_triangle *triangle,
+		      const struct accel_basis *basis, const struct accel_vertex *const vertex[3],
 		      const uint32_t *index)
 {
 	struct accel_edge edge[3];
@@ -246,10 +246,10 @@ static int draw_patch(const struct whole *whole, struct accel_triangle *triangle
 	}
 	if (whole->pass->state->shading == ACCEL_SHADING_GOURAUD && !edge[0].curved &&
 	    !edge[1].curved && !edge[2].curved)
-		accel_surface_gouraud(triangle, frame, vertex);
+		accel_surface_gouraud(triangle, basis, vertex);
 	else
-		accel_surface_patch(triangle, frame, &patch);
-	return draw(whole->pass, triangle);
+		accel_surface_patch(triangle, basis, &patch);
+	return split_draw(whole->pass, triangle);
 }
 
 int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[3],
@@ -257,7 +257,7 @@ int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[
 {
 	const struct accel_vertex *const corner[3] = { vertex[0], vertex[1], vertex[2] };
 	struct accel_triangle triangle;
-	struct accel_frame frame;
+	struct accel_basis basis;
 	struct whole whole = { .pass = pass, .side = side };
 
 	if (!accel_setup_init(&triangle.setup, corner) ||
@@ -265,18 +265,18 @@ int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[
 		pass->stats->culled++;
 		return 0;
 	}
-	accel_surface_frame(&frame, corner);
-	accel_surface_plane(&whole.plane, &frame, corner, triangle.setup.narrow);
+	accel_surface_basis(&basis, corner);
+	accel_surface_plane(&whole.plane, &basis, corner, triangle.setup.narrow);
 	triangle.plane = &whole.plane;
 	if (pass->state->shading == ACCEL_SHADING_FLAT) {
 		accel_shading_vertex(pass, flat, side);
 		accel_surface_flat(&triangle, flat->sample.colour);
-		return draw(pass, &triangle);
+		return split_draw(pass, &triangle);
 	}
 	for (int i = 0; i < 3; i++)
 		accel_shading_vertex(pass, vertex[i], side);
 	if (pass->state->shading != ACCEL_SHADING_GOURAUD || !accel_interpolate_straight(corner))
-		return draw_patch(&whole, &triangle, &frame, corner, index);
-	accel_surface_gouraud(&triangle, &frame, corner);
-	return draw(pass, &triangle);
+		return split_draw_patch(&whole, &triangle, &basis, corner, index);
+	accel_surface_gouraud(&triangle, &basis, corner);
+	return split_draw(pass, &triangle);
 }

@@ -11,7 +11,6 @@
 #include "draw/draw_priv.h"
 
 #define CHANNELS 4
-#define DEPTH_MAX 16777215.0
 /*
  * Steps a pixel, of depth and of a channel, and a pixel squared. What is steeper is a sliver that
  * covers next to nothing; up to here 64 bits hold the values of a surface all over its target.
@@ -29,37 +28,37 @@ int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vert
 	return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-static int32_t middle_of(int32_t a, int32_t b, int32_t c)
+static int32_t surface_middle_of(int32_t a, int32_t b, int32_t c)
 {
-	int32_t low = a < b ? a : b, high = a < b ? b : a;
+	int32_t low = number_min(a, b), high = number_max(a, b);
 
-	low = c < low ? c : low;
-	high = c > high ? c : high;
+	low = number_min(low, c);
+	high = number_max(high, c);
 	return (low + high) >> (ACCEL_WINDOW_BITS + 1);
 }
 
-void accel_surface_frame(struct accel_frame *frame, const struct accel_vertex *const vertex[3])
+void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *const vertex[3])
 {
 	const struct accel_vertex *a = vertex[0], *b = vertex[1], *c = vertex[2];
 	double one = ACCEL_WINDOW_ONE, half = one / 2;
 	double inverse = 1 / (double)accel_surface_area(a, b, c);
 	double x, y;
 
-	frame->x = middle_of(a->x, b->x, c->x);
-	frame->y = middle_of(a->y, b->y, c->y);
+	basis->x = surface_middle_of(a->x, b->x, c->x);
+	basis->y = surface_middle_of(a->y, b->y, c->y);
 	/* From vertex a to the pixel's centre. */
-	x = frame->x * one + half - a->x;
-	y = frame->y * one + half - a->y;
-	frame->u = (x * (c->y - a->y) - y * (c->x - a->x)) * inverse;
-	frame->v = (y * (b->x - a->x) - x * (b->y - a->y)) * inverse;
-	frame->ux = (c->y - a->y) * one * inverse;
-	frame->uy = (a->x - c->x) * one * inverse;
-	frame->vx = (a->y - b->y) * one * inverse;
-	frame->vy = (b->x - a->x) * one * inverse;
+	x = basis->x * one + half - a->x;
+	y = basis->y * one + half - a->y;
+	basis->u = (x * (c->y - a->y) - y * (c->x - a->x)) * inverse;
+	basis->v = (y * (b->x - a->x) - x * (b->y - a->y)) * inverse;
+	basis->ux = (c->y - a->y) * one * inverse;
+	basis->uy = (a->x - c->x) * one * inverse;
+	basis->vx = (a->y - b->y) * one * inverse;
+	basis->vy = (b->x - a->x) * one * inverse;
 }
 
 /* Rounds to @bits fraction bits. */
-static int64_t fixed(double value, unsigned int bits)
+static int64_t surface_fixed(double value, unsigned int bits)
 {
 	double scaled = value * (double)(1u << bits);
 
@@ -67,23 +66,23 @@ static int64_t fixed(double value, unsigned int bits)
 }
 
 /* s10.22; the core drops the high bits too. */
-static uint32_t fixed_colour(double value)
+static uint32_t surface_fixed_colour(double value)
 {
-	return (uint32_t)fixed(value, GLOSS_COLOUR_FRACTION);
+	return (uint32_t)surface_fixed(value, GLOSS_COLOUR_FRACTION);
 }
 
-void accel_surface_plane(struct accel_plane *plane, const struct accel_frame *frame,
+void accel_surface_plane(struct accel_plane *plane, const struct accel_basis *basis,
 			 const struct accel_vertex *const vertex[3], bool narrow)
 {
-	double z = vertex[0]->z * DEPTH_MAX, du = vertex[1]->z * DEPTH_MAX - z;
-	double dv = vertex[2]->z * DEPTH_MAX - z;
-	double dx = du * frame->ux + dv * frame->vx, dy = du * frame->uy + dv * frame->vy;
+	double z = vertex[0]->z * ACCEL_DEPTH_MAX, du = vertex[1]->z * ACCEL_DEPTH_MAX - z;
+	double dv = vertex[2]->z * ACCEL_DEPTH_MAX - z;
+	double dx = du * basis->ux + dv * basis->vx, dy = du * basis->uy + dv * basis->vy;
 	unsigned int bits = GLOSS_DEPTH_FRACTION, shift = 0;
 
-	plane->x = frame->x;
-	plane->y = frame->y;
+	plane->x = basis->x;
+	plane->y = basis->y;
 	if (fabs(dx) < DEPTH_SLOPE_MAX && fabs(dy) < DEPTH_SLOPE_MAX) {
-		z += du * frame->u + dv * frame->v;
+		z += du * basis->u + dv * basis->v;
 	} else {
 		z += (du + dv) / 3;
 		dx = dy = 0;
@@ -93,9 +92,9 @@ void accel_surface_plane(struct accel_plane *plane, const struct accel_frame *fr
 			fabs(z) + NARROW_REACH * (fabs(dx) + fabs(dy)) < NARROW_DEPTH;
 	if (plane->narrow)
 		shift = GLOSS_DEPTH_COMPACT_SHIFT;
-	plane->z = fixed(z, bits - shift) * (1 << shift);
-	plane->dx = fixed(dx, bits - shift) * (1 << shift);
-	plane->dy = fixed(dy, bits - shift) * (1 << shift);
+	plane->z = surface_fixed(z, bits - shift) * (1 << shift);
+	plane->dx = surface_fixed(dx, bits - shift) * (1 << shift);
+	plane->dy = surface_fixed(dy, bits - shift) * (1 << shift);
 }
 
 /* i = i0 + d u + e v + a u^2 + b v^2 + c u v */
@@ -103,12 +102,12 @@ struct polynomial {
 	double i, d, e, a, b, c;
 };
 
-static struct polynomial linear(double i1, double i2, double i3)
+static struct polynomial surface_linear(double i1, double i2, double i3)
 {
 	return (struct polynomial){ .i = i1, .d = i2 - i1, .e = i3 - i1 };
 }
 
-static struct polynomial second_order(double i1, double i2, double i3, double i12, double i23,
+static struct polynomial surface_second_order(double i1, double i2, double i3, double i12, double i23,
 				      double i31)
 {
 	double a = 2 * (i1 + i2 - 2 * i12), b = 2 * (i1 + i3 - 2 * i31);
@@ -123,8 +122,8 @@ static struct polynomial second_order(double i1, double i2, double i3, double i1
 	};
 }
 
-/* Forward differences at the frame's pixel; false: too large to be of use. */
-static bool surface_fit(struct accel_surface *surface, const struct accel_frame *f,
+/* Forward differences at the basis's pixel; false: too large to be of use. */
+static bool surface_fit(struct accel_surface *surface, const struct accel_basis *f,
 			const struct polynomial *p)
 {
 	double du = p->d + 2 * p->a * f->u + p->c * f->v;
@@ -138,24 +137,24 @@ static bool surface_fit(struct accel_surface *surface, const struct accel_frame 
 	if (!(fabs(dx) < SLOPE_MAX && fabs(dy) < SLOPE_MAX && fabs(xx) < CURVATURE_MAX &&
 	      fabs(yy) < CURVATURE_MAX && fabs(xy) < CURVATURE_MAX))
 		return false;
-	surface->i = fixed_colour(p->i + f->u * (p->d + p->a * f->u + p->c * f->v) +
+	surface->i = surface_fixed_colour(p->i + f->u * (p->d + p->a * f->u + p->c * f->v) +
 				  f->v * (p->e + p->b * f->v) + 0.5);
-	surface->dx = fixed_colour(dx);
-	surface->dy = fixed_colour(dy);
-	surface->dxx = fixed_colour(xx);
-	surface->dxy = fixed_colour(xy);
-	surface->dyy = fixed_colour(yy);
+	surface->dx = surface_fixed_colour(dx);
+	surface->dy = surface_fixed_colour(dy);
+	surface->dxx = surface_fixed_colour(xx);
+	surface->dxy = surface_fixed_colour(xy);
+	surface->dyy = surface_fixed_colour(yy);
 	return true;
 }
 
-static float clamp_unit(float value)
+static float surface_clamp_unit(float value)
 {
 	return value < 0 ? 0 : value > 1 ? 1 : value;
 }
 
-static uint8_t constant(float value)
+static uint8_t surface_constant(float value)
 {
-	return (uint8_t)(clamp_unit(value) * 255 + 0.5f);
+	return (uint8_t)(surface_clamp_unit(value) * 255 + 0.5f);
 }
 
 void accel_surface_flat(struct accel_triangle *triangle, const float colour[4])
@@ -163,66 +162,66 @@ void accel_surface_flat(struct accel_triangle *triangle, const float colour[4])
 	triangle->shading = GLOSS_SHADING_FLAT;
 	triangle->alpha_linear = false;
 	for (int i = 0; i < CHANNELS; i++)
-		triangle->constant[i] = constant(colour[i]);
+		triangle->constant[i] = surface_constant(colour[i]);
 }
 
 /* A plane for each of the channels from @first to before @end. */
-static bool fit_linear(struct accel_triangle *triangle, const struct accel_frame *frame, int first,
+static bool surface_fit_linear(struct accel_triangle *triangle, const struct accel_basis *basis, int first,
 		       int end, const float *const colour[3])
 {
 	bool fits = true;
 
 	for (int i = first; i < end; i++) {
 		const struct polynomial p =
-			linear(255 * (double)colour[0][i], 255 * (double)colour[1][i],
+			surface_linear(255 * (double)colour[0][i], 255 * (double)colour[1][i],
 			       255 * (double)colour[2][i]);
 
-		fits &= surface_fit(&triangle->channel[i], frame, &p);
+		fits &= surface_fit(&triangle->channel[i], basis, &p);
 	}
 	return fits;
 }
 
-static void fit_alpha(struct accel_triangle *triangle, const struct accel_frame *frame,
+static void surface_fit_alpha(struct accel_triangle *triangle, const struct accel_basis *basis,
 		      const float *const colour[3])
 {
 	float a = colour[0][3], b = colour[1][3], c = colour[2][3];
 
-	triangle->constant[3] = constant((a + b + c) / 3);
+	triangle->constant[3] = surface_constant((a + b + c) / 3);
 	triangle->alpha_linear =
-		(a != b || a != c) && fit_linear(triangle, frame, 3, CHANNELS, colour);
+		(a != b || a != c) && surface_fit_linear(triangle, basis, 3, CHANNELS, colour);
 }
 
-static void triangle_linear(struct accel_triangle *triangle, const struct accel_frame *frame,
+static void surface_triangle_linear(struct accel_triangle *triangle, const struct accel_basis *basis,
 			    const float *const colour[3])
 {
 	float mean[CHANNELS];
 
 	triangle->shading = GLOSS_SHADING_LINEAR;
-	if (!fit_linear(triangle, frame, 0, 3, colour)) {
+	if (!surface_fit_linear(triangle, basis, 0, 3, colour)) {
 		for (int i = 0; i < CHANNELS; i++)
 			mean[i] = (colour[0][i] + colour[1][i] + colour[2][i]) / 3;
 		accel_surface_flat(triangle, mean);
 	}
-	fit_alpha(triangle, frame, colour);
+	surface_fit_alpha(triangle, basis, colour);
 }
 
-void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_frame *frame,
+void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_basis *basis,
 			   const struct accel_vertex *const vertex[3])
 {
 	float colour[3][CHANNELS];
 	bool equal = true;
 
-	triangle->x = frame->x;
-	triangle->y = frame->y;
+	triangle->x = basis->x;
+	triangle->y = basis->y;
 	for (int i = 0; i < CHANNELS; i++) {
 		for (int j = 0; j < 3; j++)
-			colour[j][i] = clamp_unit(vertex[j]->sample.colour[i]);
+			colour[j][i] = surface_clamp_unit(vertex[j]->sample.colour[i]);
 		equal &= colour[0][i] == colour[1][i] && colour[0][i] == colour[2][i];
 	}
 	if (equal)
 		accel_surface_flat(triangle, colour[0]);
 	else
-		triangle_linear(triangle, frame,
+		surface_triangle_linear(triangle, basis,
 				(const float *const[3]){ colour[0], colour[1], colour[2] });
 }
 
@@ -230,30 +229,30 @@ void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_f
  * The least and greatest of a channel's control points, which bound the surface; clamped, as the
  * core clamps it.
  */
-static void bounds(const struct accel_patch *patch, int channel, float *low, float *high)
+static void surface_bounds(const struct accel_patch *patch, int channel, float *low, float *high)
 {
 	*low = 1;
 	*high = 0;
 	for (int i = 0; i < 3; i++) {
 		float a = patch->vertex[i]->sample.colour[channel];
 		float b = patch->vertex[(i + 1) % 3]->sample.colour[channel];
-		float end = clamp_unit(a);
-		float control = clamp_unit(2 * patch->edge[i]->colour[channel] - (a + b) / 2);
+		float end = surface_clamp_unit(a);
+		float control = surface_clamp_unit(2 * patch->edge[i]->colour[channel] - (a + b) / 2);
 
 		*low = end < *low ? end : *low;
-		*high = end > *high ? end : *high;
+		*high = number_larger(end, *high);
 		*low = control < *low ? control : *low;
-		*high = control > *high ? control : *high;
+		*high = number_larger(control, *high);
 	}
 }
 
 /* If no channel varies by a step, @colour is the middle of what it has. */
-static bool is_flat(const struct accel_patch *patch, float colour[3])
+static bool surface_is_flat(const struct accel_patch *patch, float colour[3])
 {
 	for (int i = 0; i < 3; i++) {
 		float low, high;
 
-		bounds(patch, i, &low, &high);
+		surface_bounds(patch, i, &low, &high);
 		if (high - low >= 1 / 255.0f)
 			return false;
 		colour[i] = (low + high) / 2;
@@ -261,26 +260,26 @@ static bool is_flat(const struct accel_patch *patch, float colour[3])
 	return true;
 }
 
-static bool fit_second_order(struct accel_triangle *triangle, const struct accel_frame *frame,
+static bool surface_fit_second_order(struct accel_triangle *triangle, const struct accel_basis *basis,
 			     const struct accel_patch *patch)
 {
 	for (int i = 0; i < 3; i++) {
 		const struct polynomial p =
-			second_order(255 * (double)patch->vertex[0]->sample.colour[i],
+			surface_second_order(255 * (double)patch->vertex[0]->sample.colour[i],
 				     255 * (double)patch->vertex[1]->sample.colour[i],
 				     255 * (double)patch->vertex[2]->sample.colour[i],
 				     255 * (double)patch->edge[0]->colour[i],
 				     255 * (double)patch->edge[1]->colour[i],
 				     255 * (double)patch->edge[2]->colour[i]);
 
-		if (!surface_fit(&triangle->channel[i], frame, &p))
+		if (!surface_fit(&triangle->channel[i], basis, &p))
 			return false;
 	}
 	triangle->shading = GLOSS_SHADING_SECOND_ORDER;
 	return true;
 }
 
-void accel_surface_patch(struct accel_triangle *triangle, const struct accel_frame *frame,
+void accel_surface_patch(struct accel_triangle *triangle, const struct accel_basis *basis,
 			 const struct accel_patch *patch)
 {
 	const float *const colour[3] = {
@@ -291,11 +290,11 @@ void accel_surface_patch(struct accel_triangle *triangle, const struct accel_fra
 	bool curved = patch->edge[0]->curved || patch->edge[1]->curved || patch->edge[2]->curved;
 	float flat[CHANNELS] = { 0 };
 
-	triangle->x = frame->x;
-	triangle->y = frame->y;
-	if (is_flat(patch, flat))
+	triangle->x = basis->x;
+	triangle->y = basis->y;
+	if (surface_is_flat(patch, flat))
 		accel_surface_flat(triangle, flat);
-	else if (!curved || !fit_second_order(triangle, frame, patch))
-		triangle_linear(triangle, frame, colour);
-	fit_alpha(triangle, frame, colour);
+	else if (!curved || !surface_fit_second_order(triangle, basis, patch))
+		surface_triangle_linear(triangle, basis, colour);
+	surface_fit_alpha(triangle, basis, colour);
 }

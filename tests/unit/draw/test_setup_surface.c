@@ -19,7 +19,7 @@ struct fixture {
 	struct accel_patch patch;
 	struct accel_triangle triangle;
 	struct accel_plane plane;
-	struct accel_frame frame;
+	struct accel_basis basis;
 	struct accel_bin bin[2];
 };
 
@@ -67,8 +67,8 @@ static bool corners_random(struct fixture *f)
 
 static void prepare(struct fixture *f)
 {
-	accel_surface_frame(&f->frame, f->corner);
-	accel_surface_plane(&f->plane, &f->frame, f->corner, f->triangle.setup.narrow);
+	accel_surface_basis(&f->basis, f->corner);
+	accel_surface_plane(&f->plane, &f->basis, f->corner, f->triangle.setup.narrow);
 	f->triangle.plane = &f->plane;
 }
 
@@ -181,7 +181,7 @@ static void second_order_surfaces_go_through_their_samples(void **state)
 			continue;
 		prepare(f);
 		colours_random(f, n % 2 ? 1 : ACCEL_COLOUR_MAX, n % 3 ? 0.2f : 2);
-		accel_surface_patch(&f->triangle, &f->frame, &f->patch);
+		accel_surface_patch(&f->triangle, &f->basis, &f->patch);
 		draw_both(f);
 		curved += f->triangle.shading == GLOSS_SHADING_SECOND_ORDER;
 		if (f->triangle.shading == GLOSS_SHADING_SECOND_ORDER)
@@ -199,7 +199,7 @@ static void linear_surfaces_go_through_their_samples(void **state)
 			continue;
 		prepare(f);
 		colours_random(f, 1, 0);
-		accel_surface_gouraud(&f->triangle, &f->frame, f->corner);
+		accel_surface_gouraud(&f->triangle, &f->basis, f->corner);
 		draw_both(f);
 		assert_int_equal(f->triangle.shading, GLOSS_SHADING_LINEAR);
 		check_pixels(f, linear_at);
@@ -250,7 +250,7 @@ static void slivers_stay_between_the_values_of_their_corners(void **state)
 			continue;
 		prepare(f);
 		colours_random(f, 1, 0);
-		accel_surface_patch(&f->triangle, &f->frame, &f->patch);
+		accel_surface_patch(&f->triangle, &f->basis, &f->patch);
 		draw_both(f);
 		for (int pixel = 0; pixel < SIDE * SIDE; pixel++) {
 			double near, far;
@@ -282,13 +282,13 @@ static void what_varies_by_less_than_a_step_is_flat(void **state)
 	colours_random(f, 0, 0);
 	f->vertex[0].sample.colour[1] = 0.9f / 255;
 	f->edge[0].colour[1] = f->edge[2].colour[1] = 0.45f / 255;
-	accel_surface_patch(&f->triangle, &f->frame, &f->patch);
+	accel_surface_patch(&f->triangle, &f->basis, &f->patch);
 	assert_int_equal(f->triangle.shading, GLOSS_SHADING_FLAT);
 	f->vertex[0].sample.colour[1] = 1.1f / 255;
 	f->edge[0].colour[1] = f->edge[2].colour[1] = 0.55f / 255;
 	for (int i = 0; i < 3; i++)
 		f->edge[i].curved = false;
-	accel_surface_patch(&f->triangle, &f->frame, &f->patch);
+	accel_surface_patch(&f->triangle, &f->basis, &f->patch);
 	assert_int_equal(f->triangle.shading, GLOSS_SHADING_LINEAR);
 	/* All above white is white. */
 	colours_random(f, 0, 0);
@@ -297,7 +297,7 @@ static void what_varies_by_less_than_a_step_is_flat(void **state)
 			f->vertex[i].sample.colour[j] = 1.2f + 0.2f * (float)i;
 			f->edge[i].colour[j] = 1.5f;
 		}
-	accel_surface_patch(&f->triangle, &f->frame, &f->patch);
+	accel_surface_patch(&f->triangle, &f->basis, &f->patch);
 	assert_int_equal(f->triangle.shading, GLOSS_SHADING_FLAT);
 	assert_int_equal(f->triangle.constant[0], 255);
 }
@@ -312,16 +312,16 @@ static void equal_colours_are_flat_and_equal_alpha_is_constant(void **state)
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 4; j++)
 			f->vertex[i].sample.colour[j] = 0.25f * (float)(j + 1);
-	accel_surface_gouraud(&f->triangle, &f->frame, f->corner);
+	accel_surface_gouraud(&f->triangle, &f->basis, f->corner);
 	assert_int_equal(f->triangle.shading, GLOSS_SHADING_FLAT);
 	assert_int_equal(f->triangle.constant[3], 255);
 	f->vertex[1].sample.colour[0] = 0;
 	f->vertex[2].sample.colour[3] = 0.5f;
-	accel_surface_gouraud(&f->triangle, &f->frame, f->corner);
+	accel_surface_gouraud(&f->triangle, &f->basis, f->corner);
 	assert_int_equal(f->triangle.shading, GLOSS_SHADING_LINEAR);
 	assert_true(f->triangle.alpha_linear);
 	f->vertex[2].sample.colour[3] = 1;
-	accel_surface_gouraud(&f->triangle, &f->frame, f->corner);
+	accel_surface_gouraud(&f->triangle, &f->basis, f->corner);
 	assert_false(f->triangle.alpha_linear);
 }
 
