@@ -82,9 +82,8 @@ static int device_open(struct accel_device *device, const struct accel_transport
 static int device_open_any(struct accel_device *device)
 {
 	int err = -ENODEV;
-	size_t i;
 
-	for (i = 0; i < TRANSPORTS && err; i++) {
+	for (size_t i = 0; i < TRANSPORTS && err; i++) {
 		struct accel_transport_error error = { "" };
 
 		err = device_try(device, transports[i], "", &error);
@@ -96,12 +95,12 @@ static int device_open_any(struct accel_device *device)
 
 static int device_open_name(struct accel_device *device, const char *name)
 {
-	size_t i, scheme = strcspn(name, ":");
+	size_t scheme = strcspn(name, ":");
 	const char *where = name[scheme] ? name + scheme + 1 : "";
 
 	if (!strncmp(name, "auto", scheme) && scheme == strlen("auto") && !*where)
 		return device_open_any(device);
-	for (i = 0; i < TRANSPORTS; i++)
+	for (size_t i = 0; i < TRANSPORTS; i++)
 		if (strlen(transports[i]->scheme) == scheme &&
 		    !memcmp(transports[i]->scheme, name, scheme))
 			return device_open(device, transports[i], where);
@@ -146,9 +145,8 @@ err_free:
 int accel_device_list(accel_device_list_fn found, void *data)
 {
 	int err = 0, held = accel_thread_hold_cancel();
-	size_t i;
 
-	for (i = 0; i < TRANSPORTS && !err; i++)
+	for (size_t i = 0; i < TRANSPORTS && !err; i++)
 		if (transports[i]->list)
 			err = transports[i]->list(found, data);
 	accel_thread_allow_cancel(held);

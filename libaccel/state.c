@@ -40,7 +40,6 @@ static const float white[4] = { 1, 1, 1, 1 };
 int accel_state_new(struct accel_state **out)
 {
 	struct accel_state *state = malloc(sizeof(*state));
-	int i;
 
 	if (!state)
 		return -ENOMEM;
@@ -58,7 +57,7 @@ int accel_state_new(struct accel_state **out)
 	};
 	accel_state_set_modelview(state, identity);
 	accel_state_set_projection(state, identity);
-	for (i = 0; i < ACCEL_LIGHTS; i++)
+	for (int i = 0; i < ACCEL_LIGHTS; i++)
 		state->light[i] = default_light;
 	memcpy(state->light[0].diffuse, white, sizeof(white));
 	memcpy(state->light[0].specular, white, sizeof(white));
@@ -151,9 +150,7 @@ void accel_state_set_colour_material(struct accel_state *state, bool enabled)
 
 static bool state_finite(const float *value, int count)
 {
-	int i;
-
-	for (i = 0; i < count; i++)
+	for (int i = 0; i < count; i++)
 		if (!isfinite(value[i]))
 			return false;
 	return true;

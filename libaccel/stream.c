@@ -183,12 +183,11 @@ int accel_stream_lend(struct accel_stream *stream, const uint32_t *words, size_t
 static const struct accel_transport_part *stream_parts(struct accel_stream *stream)
 {
 	const uint32_t *own = stream->words;
-	size_t i;
 
 	if (!stream->lent)
 		return NULL;
 	stream_part_own(stream);
-	for (i = 0; i < stream->parts; i++)
+	for (size_t i = 0; i < stream->parts; i++)
 		if (!stream->part[i].words) {
 			stream->part[i].words = own;
 			own += stream->part[i].count;
@@ -199,9 +198,7 @@ static const struct accel_transport_part *stream_parts(struct accel_stream *stre
 /* When they may move again. */
 static void stream_forget_places(struct accel_stream *stream)
 {
-	size_t i;
-
-	for (i = 0; i < stream->parts; i++)
+	for (size_t i = 0; i < stream->parts; i++)
 		if (stream_place(stream, stream->part[i].words) != NOWHERE)
 			stream->part[i].words = NULL;
 }
@@ -263,10 +260,9 @@ static int stream_start(struct accel_stream *stream, uint32_t *response,
 		.slots = stream->slots,
 	};
 	struct accel_device *device = stream->device;
-	unsigned int i;
 	int err, held;
 
-	for (i = 0; i < stream->slots; i++)
+	for (unsigned int i = 0; i < stream->slots; i++)
 		slot[i] = (struct accel_transport_slot){
 			.object = stream->buffer[i]->object,
 			.rights = (enum gloss_rights)stream->rights[i],

@@ -69,7 +69,7 @@ static int target_read(struct accel_target *target, struct accel_buffer *buffer,
 {
 	uint32_t width = (uint32_t)target->width, height = (uint32_t)target->height;
 	uint32_t step = READ_WORDS / width < height ? READ_WORDS / width : height;
-	uint32_t y, row, *words;
+	uint32_t *words;
 	int err = 0;
 
 	if (pitch < (size_t)width * 4 || pitch % 4) {
@@ -80,12 +80,12 @@ static int target_read(struct accel_target *target, struct accel_buffer *buffer,
 	words = malloc((size_t)width * step * sizeof(*words));
 	if (!words)
 		return -ENOMEM;
-	for (y = 0; y < height && !err; y += step) {
+	for (uint32_t y = 0; y < height && !err; y += step) {
 		uint32_t rows = height - y < step ? height - y : step;
 
 		err = accel_buffer_read_rows(buffer, (uint64_t)y * target->pitch, target->pitch,
 					     width, rows, words);
-		for (row = 0; row < rows && !err; row++)
+		for (uint32_t row = 0; row < rows && !err; row++)
 			memcpy(pixels + (y + row) * pitch, words + (size_t)row * width,
 			       (size_t)width * 4);
 	}

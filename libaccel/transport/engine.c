@@ -144,11 +144,9 @@ void accel_engine_memory_free(void *state, uint64_t object)
 static int engine_fill_slots(const struct accel_engine *engine,
 			     const struct accel_transport_job *from, struct gloss_slot *slot)
 {
-	uint32_t i;
-
 	if (from->slots > GLOSS_SLOTS)
 		return -EINVAL;
-	for (i = 0; i < from->slots; i++) {
+	for (uint32_t i = 0; i < from->slots; i++) {
 		const struct accel_range *range;
 
 		range = accel_range_find(&engine->ranges, from->slot[i].object);

@@ -11,9 +11,7 @@ void accel_job_table_init(struct accel_job_table *table)
 
 void accel_job_table_fini(struct accel_job_table *table, void (*drop)(struct accel_job_entry *))
 {
-	size_t i;
-
-	for (i = 0; i < table->buckets; i++) {
+	for (size_t i = 0; i < table->buckets; i++) {
 		struct accel_job_entry *entry = table->bucket[i], *next;
 
 		for (; entry; entry = next) {
@@ -44,14 +42,13 @@ static void table_grow(struct accel_job_table *table)
 {
 	struct accel_job_table old = *table;
 	struct accel_job_entry **bucket;
-	size_t i;
 
 	bucket = (struct accel_job_entry **)calloc(2 * old.buckets, sizeof(void *));
 	if (!bucket)
 		return;
 	table->bucket = bucket;
 	table->buckets = 2 * old.buckets;
-	for (i = 0; i < old.buckets; i++) {
+	for (size_t i = 0; i < old.buckets; i++) {
 		struct accel_job_entry *entry = old.bucket[i], *next;
 
 		for (; entry; entry = next) {

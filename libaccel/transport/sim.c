@@ -144,10 +144,9 @@ static int sim_load(struct transport_sim *transport, uint64_t tile, uint64_t lan
 		sim_beside(beside, sizeof(beside)) ? NULL : beside,
 		ACCEL_SIM_DIR,
 	};
-	size_t i;
 	int err;
 
-	for (i = 0; i < sizeof(directory) / sizeof(directory[0]); i++) {
+	for (size_t i = 0; i < sizeof(directory) / sizeof(directory[0]); i++) {
 		if (!directory[i] || !*directory[i])
 			continue;
 		err = sim_load_from(transport, directory[i], tile, lanes, error);

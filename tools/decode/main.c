@@ -57,9 +57,7 @@ static void input_take_bytes(struct input *input)
 
 static void input_take_text(struct input *input)
 {
-	size_t i;
-
-	for (i = 0; i < DECODE_PACKET_MAX; i++)
+	for (size_t i = 0; i < DECODE_PACKET_MAX; i++)
 		if (fscanf(input->file, "%8" SCNx32, &input->words[input->end]) == 1)
 			input->end++;
 }

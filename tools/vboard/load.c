@@ -57,10 +57,9 @@ static int load_find(struct vboard_loaded *loaded, const char *file, const char 
 		load_beside(beside),
 		ACCEL_SIM_DIR,
 	};
-	size_t i;
 	int err;
 
-	for (i = 0; i < sizeof(directory) / sizeof(directory[0]); i++) {
+	for (size_t i = 0; i < sizeof(directory) / sizeof(directory[0]); i++) {
 		if (!directory[i] || !*directory[i])
 			continue;
 		err = load_from(loaded, directory[i], file, symbol, error);

@@ -72,7 +72,7 @@ enum vboard_exit vboard_serve_run(struct vboard_loop *const *loops, const char *
 				  unsigned int count)
 {
 	enum vboard_exit ret = VBOARD_OK;
-	unsigned int started, i;
+	unsigned int started;
 	int err = 0;
 
 	for (started = 0; started < count && !err; started += !err) {
@@ -81,7 +81,7 @@ enum vboard_exit vboard_serve_run(struct vboard_loop *const *loops, const char *
 	}
 	if (!err)
 		serve_wait(count);
-	for (i = 0; i < started; i++) {
+	for (unsigned int i = 0; i < started; i++) {
 		vboard_loop_stop(loops[i]);
 		if (!loops[i]->error || loops[i]->error == -ECANCELED)
 			continue;

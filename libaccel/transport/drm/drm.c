@@ -78,10 +78,9 @@ static int drm_identify(struct transport_drm *transport, const char *path)
 	};
 	struct accel_transport_info *info = &transport->info;
 	uint64_t value[sizeof(params) / sizeof(params[0])];
-	size_t i;
 	int err;
 
-	for (i = 0; i < sizeof(params) / sizeof(params[0]); i++) {
+	for (size_t i = 0; i < sizeof(params) / sizeof(params[0]); i++) {
 		err = drm_param(transport->fd, params[i], &value[i]);
 		if (err)
 			return err;
@@ -269,9 +268,7 @@ static int drm_job_new(struct transport_drm *transport, const struct accel_trans
 /* A slot without rights is an empty one to the kernel; to a stream it is the same. */
 static void drm_fill_slots(const struct accel_transport_job *from, struct drm_gloss_slot *slot)
 {
-	uint32_t i;
-
-	for (i = 0; i < from->slots; i++) {
+	for (uint32_t i = 0; i < from->slots; i++) {
 		slot[i] = (struct drm_gloss_slot){ 0 };
 		if (from->slot[i].rights)
 			slot[i] = (struct drm_gloss_slot){

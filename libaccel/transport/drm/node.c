@@ -140,9 +140,8 @@ static bool node_is_ours(const char *path)
 static const char *node_next(const drmDevicePtr *device, int devices, const char *last)
 {
 	const char *next = NULL;
-	int i;
 
-	for (i = 0; i < devices; i++) {
+	for (int i = 0; i < devices; i++) {
 		const char *node;
 
 		if (!(device[i]->available_nodes & 1 << DRM_NODE_RENDER))

@@ -11,10 +11,10 @@
 static int clocks_read_clocks(struct accel_usb_node *node, uint64_t *clocks)
 {
 	uint32_t low = 0, high = 0, again = 0;
-	int attempt, err;
+	int err;
 
 	err = accel_usb_node_read(node, GLOSS_REG_CLOCKS_HIGH, &again);
-	for (attempt = 0; attempt < ATTEMPTS && !err; attempt++) {
+	for (int attempt = 0; attempt < ATTEMPTS && !err; attempt++) {
 		high = again;
 		err = accel_usb_node_read(node, GLOSS_REG_CLOCKS_LOW, &low);
 		if (!err)
@@ -33,9 +33,9 @@ static int clocks_read_stalls(struct accel_usb_node *node, uint32_t stall[5])
 		GLOSS_REG_STALL_STREAM, GLOSS_REG_STALL_RASTER, GLOSS_REG_STALL_TILE,
 		GLOSS_REG_STALL_MEMORY, GLOSS_REG_STALL_RESPONSE,
 	};
-	int i, err = 0;
+	int err = 0;
 
-	for (i = 0; i < 5 && !err; i++)
+	for (int i = 0; i < 5 && !err; i++)
 		err = accel_usb_node_read(node, offset[i], &stall[i]);
 	return err;
 }

@@ -91,13 +91,13 @@ static int node_read_serial(struct accel_usb_node *node,
 			    const struct libusb_device_descriptor *descriptor)
 {
 	unsigned char *serial = (unsigned char *)node->serial;
-	int i, length = 0;
+	int length = 0;
 
 	if (descriptor->iSerialNumber)
 		length = libusb_get_string_descriptor_ascii(node->handle,
 							    descriptor->iSerialNumber, serial,
 							    USB_SERIAL_BYTES - 1);
-	for (i = 0; i < length; i++)
+	for (int i = 0; i < length; i++)
 		if (serial[i] < ' ' || serial[i] > '~')
 			serial[i] = '?';
 	serial[length > 0 ? length : 0] = '\0';
@@ -304,9 +304,7 @@ static void listed_fill(struct listed *board, libusb_device *device,
 static bool listed_is_unique(const struct listed *board, const struct listed *boards,
 			     size_t count)
 {
-	size_t i;
-
-	for (i = 0; i < count; i++)
+	for (size_t i = 0; i < count; i++)
 		if (&boards[i] != board && !strcmp(boards[i].node.name, board->node.name))
 			return false;
 	return true;
@@ -316,9 +314,8 @@ static void list_tell(const struct listed *boards, size_t count, accel_device_li
 		      void *data)
 {
 	char name[USB_NAME_BYTES + sizeof("usb:")];
-	size_t i;
 
-	for (i = 0; i < count; i++) {
+	for (size_t i = 0; i < count; i++) {
 		const struct listed *board = &boards[i];
 
 		if (listed_is_unique(board, boards, count) || !*board->path)

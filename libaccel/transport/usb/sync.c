@@ -231,9 +231,9 @@ static int sync_once(struct accel_usb_link *link)
 
 static int sync_attempts(struct accel_usb_link *link)
 {
-	int attempt, err = -EIO;
+	int err = -EIO;
 
-	for (attempt = 0; attempt < ATTEMPTS && err == -EIO; attempt++) {
+	for (int attempt = 0; attempt < ATTEMPTS && err == -EIO; attempt++) {
 		if (attempt)
 			sync_pause(PAUSE_MS << 2 * attempt);
 		err = sync_once(link);

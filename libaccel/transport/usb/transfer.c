@@ -56,10 +56,9 @@ static int in_submit(struct accel_usb_link *link, struct usb_transfer *in)
 
 static int in_submit_all(struct accel_usb_link *link)
 {
-	unsigned int i;
 	int err = 0;
 
-	for (i = 0; i < USB_IN_TRANSFERS && link->in_queued < link->in_count && !err; i++)
+	for (unsigned int i = 0; i < USB_IN_TRANSFERS && link->in_queued < link->in_count && !err; i++)
 		if (!link->in[i].queued)
 			err = in_submit(link, &link->in[i]);
 	return err;
@@ -127,9 +126,7 @@ static bool in_give_way(struct accel_usb_link *link)
 
 static struct usb_transfer *out_unused(struct accel_usb_link *link)
 {
-	unsigned int i;
-
-	for (i = 0; i < USB_OUT_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_OUT_TRANSFERS; i++)
 		if (!link->out[i].in_flight)
 			return &link->out[i];
 	return NULL;
@@ -168,9 +165,7 @@ static int out_submit_job(struct accel_usb_link *link, struct usb_transfer *out,
 
 static bool out_in_flight(const struct accel_usb_link *link)
 {
-	unsigned int i;
-
-	for (i = 0; i < USB_OUT_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_OUT_TRANSFERS; i++)
 		if (link->out[i].in_flight)
 			return true;
 	return false;
@@ -199,7 +194,6 @@ int accel_usb_transfers_start_locked(struct accel_usb_link *link, uint32_t nonce
 		.nonce_complement = ~nonce,
 		.mark_complement = ~GLOSS_USB_SYNC_MAGIC,
 	};
-	unsigned int i;
 	int err;
 
 	accel_usb_parser_start(&link->parser, nonce);
@@ -208,7 +202,7 @@ int accel_usb_transfers_start_locked(struct accel_usb_link *link, uint32_t nonce
 	link->in_last = &link->in_first;
 	link->in_queued = 0;
 	link->synchronised = link->hint = false;
-	for (i = 0; i < USB_IN_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_IN_TRANSFERS; i++)
 		link->in[i].queued = false;
 	err = in_submit_all(link);
 	if (err)
@@ -355,12 +349,10 @@ static void event_ended(struct libusb_transfer *transfer)
 
 void accel_usb_transfers_cancel_locked(struct accel_usb_link *link)
 {
-	unsigned int i;
-
-	for (i = 0; i < USB_OUT_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_OUT_TRANSFERS; i++)
 		if (link->out[i].in_flight)
 			libusb_cancel_transfer(link->out[i].transfer);
-	for (i = 0; i < USB_IN_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_IN_TRANSFERS; i++)
 		if (link->in[i].in_flight)
 			libusb_cancel_transfer(link->in[i].transfer);
 	if (link->event.in_flight)
@@ -390,12 +382,10 @@ static bool transfer_init(struct usb_transfer *transfer, struct accel_usb_link *
 
 static bool transfers_init_all(struct accel_usb_link *link)
 {
-	unsigned int i;
-
-	for (i = 0; i < USB_OUT_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_OUT_TRANSFERS; i++)
 		if (!transfer_init(&link->out[i], link, GLOSS_USB_ENDPOINT_OUT, out_ended))
 			return false;
-	for (i = 0; i < USB_IN_TRANSFERS; i++) {
+	for (unsigned int i = 0; i < USB_IN_TRANSFERS; i++) {
 		struct usb_transfer *in = &link->in[i];
 
 		if (!transfer_init(in, link, GLOSS_USB_ENDPOINT_IN, in_ended))
@@ -418,11 +408,9 @@ int accel_usb_transfers_init(struct accel_usb_link *link)
 
 void accel_usb_transfers_fini(struct accel_usb_link *link)
 {
-	unsigned int i;
-
-	for (i = 0; i < USB_OUT_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_OUT_TRANSFERS; i++)
 		libusb_free_transfer(link->out[i].transfer);
-	for (i = 0; i < USB_IN_TRANSFERS; i++)
+	for (unsigned int i = 0; i < USB_IN_TRANSFERS; i++)
 		libusb_free_transfer(link->in[i].transfer);
 	libusb_free_transfer(link->event.transfer);
 	free(link->in_words);

@@ -64,10 +64,9 @@ static int usb_read_registers(struct accel_usb_node *node, uint32_t *value)
 		GLOSS_REG_IDENTITY, GLOSS_REG_VERSION, GLOSS_REG_CAPABILITIES,
 		GLOSS_REG_MEMORY_PAGES,
 	};
-	size_t i;
 	int err = 0;
 
-	for (i = 0; i < sizeof(offset) / sizeof(offset[0]) && !err; i++)
+	for (size_t i = 0; i < sizeof(offset) / sizeof(offset[0]) && !err; i++)
 		err = accel_usb_node_read(node, offset[i], &value[i]);
 	return err;
 }
@@ -328,10 +327,9 @@ static int usb_clear(struct transport_usb *transport, struct usb_object *object,
 static int usb_clear_slots(struct transport_usb *transport, const struct accel_transport_job *from,
 			   uint64_t losses)
 {
-	uint32_t i;
 	int err = 0;
 
-	for (i = 0; i < from->slots && !err; i++)
+	for (uint32_t i = 0; i < from->slots && !err; i++)
 		if (from->slot[i].rights)
 			err = usb_clear(transport,
 					*usb_object_find(transport, from->slot[i].object), losses);
@@ -342,9 +340,7 @@ static int usb_clear_slots(struct transport_usb *transport, const struct accel_t
 static int usb_fill_slots(struct transport_usb *transport, const struct accel_transport_job *from,
 			  uint32_t *words)
 {
-	uint32_t i;
-
-	for (i = 0; i < from->slots; i++) {
+	for (uint32_t i = 0; i < from->slots; i++) {
 		struct gloss_slot_entry slot = { .base = 0 };
 
 		if (from->slot[i].rights) {
@@ -368,9 +364,9 @@ static int usb_fill_slots(struct transport_usb *transport, const struct accel_tr
 static int usb_job_submit(struct transport_usb *transport, struct accel_usb_job *job,
 			  const struct accel_transport_job *from, uint64_t *sequence)
 {
-	int attempt, err = -EAGAIN;
+	int err = -EAGAIN;
 
-	for (attempt = 0; attempt < ATTEMPTS && err == -EAGAIN; attempt++) {
+	for (int attempt = 0; attempt < ATTEMPTS && err == -EAGAIN; attempt++) {
 		uint64_t losses = accel_usb_link_losses(transport->link);
 
 		err = usb_clear_slots(transport, from, losses);

@@ -73,11 +73,11 @@ int accel_usb_where_parse(const char *text, struct accel_usb_where *where,
 void accel_usb_where_path(libusb_device *device, char path[USB_NAME_BYTES])
 {
 	uint8_t port[PORTS_MAX];
-	int i, ports = libusb_get_port_numbers(device, port, PORTS_MAX);
+	int ports = libusb_get_port_numbers(device, port, PORTS_MAX);
 	size_t length = 0;
 
 	path[0] = '\0';
-	for (i = 0; i < ports; i++) {
+	for (int i = 0; i < ports; i++) {
 		if (!i)
 			length = (size_t)snprintf(path, USB_NAME_BYTES, "%u-%u",
 						  libusb_get_bus_number(device), port[i]);
@@ -112,9 +112,7 @@ static bool where_fits(const struct accel_usb_where *where, libusb_device *devic
 static bool endpoint_is(const struct libusb_interface_descriptor *interface, unsigned int address,
 			enum libusb_endpoint_transfer_type type)
 {
-	int i;
-
-	for (i = 0; i < interface->bNumEndpoints; i++)
+	for (int i = 0; i < interface->bNumEndpoints; i++)
 		if (interface->endpoint[i].bEndpointAddress == address)
 			return (interface->endpoint[i].bmAttributes &
 				LIBUSB_TRANSFER_TYPE_MASK) == (int)type;

@@ -15,18 +15,15 @@ static const uint32_t bar_bytes[VBOARD_BARS] = {
 static uint32_t bytes_get(const uint8_t *from, int bytes)
 {
 	uint32_t value = 0;
-	int i;
 
-	for (i = 0; i < bytes; i++)
+	for (int i = 0; i < bytes; i++)
 		value |= (uint32_t)from[i] << 8 * i;
 	return value;
 }
 
 static void bytes_set(uint8_t *to, uint32_t value, int bytes)
 {
-	int i;
-
-	for (i = 0; i < bytes; i++)
+	for (int i = 0; i < bytes; i++)
 		to[i] = (uint8_t)(value >> 8 * i);
 }
 
@@ -56,10 +53,9 @@ void vboard_config_reset(struct vboard_config *config)
 		{ CAPABILITY_MSI + PCI_MSI_ADDRESS_HI, 4, 0, 0xffffffff },
 		{ CAPABILITY_MSI + PCI_MSI_DATA_64, 2, 0, 0xffff },
 	};
-	size_t i;
 
 	memset(config, 0, sizeof(*config));
-	for (i = 0; i < sizeof(fields) / sizeof(fields[0]); i++) {
+	for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); i++) {
 		bytes_set(config->bytes + fields[i].address, fields[i].value, fields[i].bytes);
 		bytes_set(config->writable + fields[i].address, fields[i].writable,
 			  fields[i].bytes);
@@ -99,11 +95,10 @@ int vboard_config_find(const struct vboard_config *config, uint64_t address, uin
 		       uint32_t *offset)
 {
 	uint64_t base;
-	int i;
 
 	if (!(config_command(config) & PCI_COMMAND_MEMORY))
 		return -1;
-	for (i = 0; i < VBOARD_BARS; i++) {
+	for (int i = 0; i < VBOARD_BARS; i++) {
 		base = bytes_get(config->bytes + PCI_BASE_ADDRESS_0 + 4 * i, 4);
 		if (address < base || address - base >= bar_bytes[i] ||
 		    bytes > bar_bytes[i] - (address - base))

@@ -181,11 +181,10 @@ static void door_config_write(struct vboard *vboard, const struct vboard_message
 static void door_sysmem(struct vboard *vboard, const struct vboard_message *message)
 {
 	const struct vboard_message_sysmem *all = &message->sysmem;
-	unsigned int i;
 	int err;
 
 	vboard_memory_clear(&vboard->memory);
-	for (i = 0; i < message->fds; i++) {
+	for (unsigned int i = 0; i < message->fds; i++) {
 		err = vboard_memory_add(&vboard->memory, all->address[i], all->bytes[i],
 					message->fd[i], all->offset[i]);
 		if (err)

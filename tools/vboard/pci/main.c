@@ -92,9 +92,8 @@ static enum vboard_exit run_boards(struct slot *slot, unsigned int boards)
 {
 	struct vboard_loop *loops[VBOARD_BOARDS];
 	const char *names[VBOARD_BOARDS] = { NULL };
-	unsigned int i;
 
-	for (i = 0; i < boards; i++) {
+	for (unsigned int i = 0; i < boards; i++) {
 		loops[i] = &slot[i].vboard.loop;
 		names[i] = slot[i].vboard.name;
 	}
@@ -105,7 +104,6 @@ static enum vboard_exit run_interrupts(const struct vboard_options *options, str
 {
 	struct vboard_qtest *qtest = NULL;
 	enum vboard_exit ret;
-	unsigned int i;
 	int err;
 
 	err = options->qtest ? vboard_qtest_new(options->qtest, &qtest) : 0;
@@ -113,7 +111,7 @@ static enum vboard_exit run_interrupts(const struct vboard_options *options, str
 		vboard_error(options->qtest, strerror(-err));
 		return VBOARD_FAILED;
 	}
-	for (i = 0; i < options->boards; i++)
+	for (unsigned int i = 0; i < options->boards; i++)
 		slot[i].vboard.qtest = qtest;
 	ret = run_boards(slot, options->boards);
 	vboard_qtest_free(qtest);
@@ -124,7 +122,7 @@ static enum vboard_exit run(const struct vboard_options *options)
 {
 	static struct slot slot[VBOARD_BOARDS];
 	enum vboard_exit ret = VBOARD_OK;
-	unsigned int opened, i;
+	unsigned int opened;
 
 	for (opened = 0; opened < options->boards; opened++)
 		if (slot_open(&slot[opened], &options->board[opened]))
@@ -133,7 +131,7 @@ static enum vboard_exit run(const struct vboard_options *options)
 		ret = run_interrupts(options, slot);
 	else
 		ret = VBOARD_FAILED;
-	for (i = 0; i < opened; i++) {
+	for (unsigned int i = 0; i < opened; i++) {
 		if (options->verbose && opened == options->boards)
 			slot_report(&slot[i]);
 		slot_close(&slot[i]);

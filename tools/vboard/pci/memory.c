@@ -55,9 +55,7 @@ void vboard_memory_clear(struct vboard_memory *memory)
 static uint8_t *memory_find(const struct vboard_memory *memory, uint64_t address, uint32_t bytes,
 			    uint32_t *part)
 {
-	unsigned int i;
-
-	for (i = 0; i < memory->regions; i++) {
+	for (unsigned int i = 0; i < memory->regions; i++) {
 		const struct vboard_region *region = &memory->region[i];
 		uint64_t offset = address - region->address;
 

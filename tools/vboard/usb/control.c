@@ -28,10 +28,9 @@ static bool *control_halted(struct vboard_usb *usb, uint16_t endpoint)
 static void control_clear_halts(struct vboard_usb *usb, uint8_t interface)
 {
 	struct vboard_usb_endpoint endpoints[VBOARD_USB_ENDPOINTS];
-	int i;
 
 	vboard_usb_endpoints(endpoints, usb->super);
-	for (i = 0; i < VBOARD_USB_ENDPOINTS; i++)
+	for (int i = 0; i < VBOARD_USB_ENDPOINTS; i++)
 		if (endpoints[i].interface == interface)
 			*control_halted(usb, endpoints[i].address) = false;
 }

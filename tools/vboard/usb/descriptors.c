@@ -79,11 +79,10 @@ static int describe_interface(uint8_t *bytes, int at, uint8_t number, bool super
 		USB_CLASS_VENDOR_SPEC, number ? VBOARD_USB_PLAIN_SUBCLASS : GLOSS_USB_SUBCLASS,
 		GLOSS_USB_PROTOCOL, 0,
 	};
-	int i;
 
 	vboard_usb_endpoints(endpoints, super);
 	at = append(bytes, at, interface);
-	for (i = 0; i < VBOARD_USB_ENDPOINTS; i++)
+	for (int i = 0; i < VBOARD_USB_ENDPOINTS; i++)
 		if (endpoints[i].interface == number)
 			at = describe_endpoint(bytes, at, &endpoints[i], super);
 	return at;

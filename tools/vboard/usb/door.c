@@ -95,16 +95,15 @@ static void door_tell_endpoints(struct vboard_usb *usb)
 	struct vboard_usb_endpoint list[VBOARD_USB_ENDPOINTS];
 	struct usb_redir_ep_info_header info = { 0 };
 	uint16_t control = usb->super ? 512 : 64;
-	int i;
 
-	for (i = 0; i < 32; i++)
+	for (int i = 0; i < 32; i++)
 		info.type[i] = usb_redir_type_invalid;
 	info.type[TABLE_INDEX(0x00)] = usb_redir_type_control;
 	info.type[TABLE_INDEX(0x80)] = usb_redir_type_control;
 	info.max_packet_size[TABLE_INDEX(0x00)] = control;
 	info.max_packet_size[TABLE_INDEX(0x80)] = control;
 	vboard_usb_endpoints(list, usb->super);
-	for (i = 0; i < VBOARD_USB_ENDPOINTS; i++) {
+	for (int i = 0; i < VBOARD_USB_ENDPOINTS; i++) {
 		int at = TABLE_INDEX(list[i].address);
 
 		info.type[at] = list[i].interrupt ? usb_redir_type_interrupt : usb_redir_type_bulk;
@@ -280,7 +279,6 @@ bool vboard_door_usb_init(struct vboard_usb *usb)
 		usb_redir_cap_32bits_bulk_length,
 	};
 	uint32_t caps[USB_REDIR_CAPS_SIZE] = { 0 };
-	size_t i;
 
 	usb->parser = usbredirparser_create();
 	if (!usb->parser)
@@ -295,7 +293,7 @@ bool vboard_door_usb_init(struct vboard_usb *usb)
 	usb->bridge.user = usb;
 	vboard_usb_bridge_init(&usb->bridge);
 	vboard_usb_queue_init(&usb->source);
-	for (i = 0; i < sizeof(can) / sizeof(can[0]); i++)
+	for (size_t i = 0; i < sizeof(can) / sizeof(can[0]); i++)
 		usbredirparser_caps_set_cap(caps, can[i]);
 	usbredirparser_init(usb->parser, "vboard-usb", caps, USB_REDIR_CAPS_SIZE,
 			    usbredirparser_fl_usb_host);

@@ -105,9 +105,8 @@ static enum vboard_exit run_boards(struct socket *socket, unsigned int boards)
 {
 	struct vboard_loop *loops[VBOARD_BOARDS];
 	const char *names[VBOARD_BOARDS] = { NULL };
-	unsigned int i;
 
-	for (i = 0; i < boards; i++) {
+	for (unsigned int i = 0; i < boards; i++) {
 		loops[i] = &socket[i].usb.loop;
 		names[i] = socket[i].usb.name;
 	}
@@ -118,14 +117,14 @@ static enum vboard_exit run(const struct vboard_options *options)
 {
 	static struct socket socket[VBOARD_BOARDS];
 	enum vboard_exit ret = VBOARD_FAILED;
-	unsigned int opened, i;
+	unsigned int opened;
 
 	for (opened = 0; opened < options->boards; opened++)
 		if (socket_open(&socket[opened], &options->board[opened]))
 			break;
 	if (opened == options->boards)
 		ret = run_boards(socket, opened);
-	for (i = 0; i < opened; i++) {
+	for (unsigned int i = 0; i < opened; i++) {
 		if (options->verbose && opened == options->boards)
 			socket_report(&socket[i]);
 		socket_close(&socket[i]);

@@ -59,9 +59,7 @@ static const struct text_option *find_text(const struct text_option *list, const
 /* Printable, for it is a string descriptor. */
 static bool text_fits(const char *value, size_t length, size_t size)
 {
-	size_t i;
-
-	for (i = 0; i < length; i++)
+	for (size_t i = 0; i < length; i++)
 		if (!isgraph((unsigned char)value[i]))
 			return false;
 	return length && length < size;
