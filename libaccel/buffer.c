@@ -10,7 +10,8 @@
 /* Words that one packet carries, and that one job does, which bounds what waits in memory. */
 #define WRITE_WORDS (GLOSS_LENGTH_MAX - 2)
 #define WRITE_JOB_WORDS (64 * WRITE_WORDS)
-#define READ_WORDS 65535u
+/* READ_MEMORY counts its words in 16 bits. */
+#define ROW_WORDS_MAX 65535u
 
 int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_buffer **out)
 {
@@ -179,11 +180,11 @@ int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, 
 	err = buffer_check(buffer, offset, size);
 	if (err || !size)
 		return err;
-	words = malloc(READ_WORDS * sizeof(*words));
+	words = malloc(ROW_WORDS_MAX * sizeof(*words));
 	if (!words)
 		return -ENOMEM;
 	while (!err && size) {
-		uint32_t now = size / 4 < READ_WORDS ? (uint32_t)(size / 4) : READ_WORDS;
+		uint32_t now = size / 4 < ROW_WORDS_MAX ? (uint32_t)(size / 4) : ROW_WORDS_MAX;
 
 		err = accel_buffer_read_rows(buffer, offset, 0, now, 1, words);
 		if (!err)

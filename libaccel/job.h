@@ -17,7 +17,7 @@ struct gloss_slot {
 	enum gloss_rights rights;
 };
 
-struct gloss_job {
+struct accel_job {
 	const uint32_t *stream;
 	uint32_t stream_words;
 	uint32_t *response;		/* may be NULL if response_words is 0 */

@@ -136,7 +136,7 @@ static bool slot_valid(const struct model *model, const struct gloss_slot *slot)
 			       (uint64_t)slot->base + slot->size <= model->memory_size);
 }
 
-static bool slots_valid(const struct model *model, const struct gloss_job *job)
+static bool slots_valid(const struct model *model, const struct accel_job *job)
 {
 	for (unsigned int n = 0; n < GLOSS_SLOTS; n++)
 		if (!slot_valid(model, &job->slot[n]))
@@ -145,7 +145,7 @@ static bool slots_valid(const struct model *model, const struct gloss_job *job)
 }
 
 /* What every job starts from. */
-int model_begin(struct model *model, const struct gloss_job *job)
+int model_begin(struct model *model, const struct accel_job *job)
 {
 	if (!slots_valid(model, job))
 		return -EINVAL;
@@ -194,7 +194,7 @@ void model_end(struct model *model, struct gloss_status *status)
 					 model->response_used };
 }
 
-int model_run(struct model *model, const struct gloss_job *job, struct gloss_status *status)
+int model_run(struct model *model, const struct accel_job *job, struct gloss_status *status)
 {
 	if ((job->stream_words && !job->stream) || (job->response_words && !job->response))
 		return -EINVAL;

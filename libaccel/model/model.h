@@ -92,7 +92,7 @@ struct model {
 	size_t memory_size;		/* bytes */
 
 	/* The job under way. */
-	const struct gloss_job *job;
+	const struct accel_job *job;
 	uint32_t at;			/* word of the stream the next packet begins at */
 	uint32_t stream_from;		/* word of the stream that job->stream[0] is */
 	uint32_t response_from;		/* word of the response that job->response[0] is */
@@ -143,7 +143,7 @@ int model_init(struct model *model, int tile_size, void *memory, size_t memory_s
  * -EINVAL: not a job, and nothing was done: a slot that is not empty starts off
  * a 4096-byte boundary or leaves board memory, or words without a buffer.
  */
-int model_run(struct model *model, const struct gloss_job *job, struct gloss_status *status);
+int model_run(struct model *model, const struct accel_job *job, struct gloss_status *status);
 
 /* No packet is longer, and none answers more. */
 #define MODEL_PACKET_WORDS (1 + GLOSS_LENGTH_MAX)
@@ -158,7 +158,7 @@ int model_run(struct model *model, const struct gloss_job *job, struct gloss_sta
  * A job that is begun may also be forgotten.
  * -EINVAL: a slot, as in model_run.
  */
-int model_begin(struct model *model, const struct gloss_job *job);
+int model_begin(struct model *model, const struct accel_job *job);
 bool model_step(struct model *model);
 void model_end(struct model *model, struct gloss_status *status);
 

@@ -52,7 +52,7 @@ struct gloss_sim_ops {
 	 * GLOSS_SIM_QUIET of them; -EPROTO: the core broke the rules of a port, see
 	 * violation. After either the core was reset, and takes the next job.
 	 */
-	int (*run)(struct gloss_sim *sim, const struct gloss_job *job, uint64_t limit,
+	int (*run)(struct gloss_sim *sim, const struct accel_job *job, uint64_t limit,
 		   struct gloss_status *status, struct gloss_sim_clocks *clocks);
 
 	/* The rule that the last run's -EPROTO was about. */

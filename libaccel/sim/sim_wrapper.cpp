@@ -24,7 +24,7 @@ public:
 	void stalls(uint64_t seed) { stalls_ = SimStalls(seed); }
 	const char *violation() const { return violation_; }
 
-	int run(const gloss_job &job, uint64_t limit, gloss_status &status)
+	int run(const accel_job &job, uint64_t limit, gloss_status &status)
 	{
 		job_ = &job;
 		words_sent_ = words_received_ = 0;
@@ -225,7 +225,7 @@ private:
 	Vgloss_core core_{ &context_ };
 	SimMemory<Vgloss_core, SIM_LANES> memory_;
 	SimStalls stalls_{ 0 };
-	const gloss_job *job_ = nullptr;
+	const accel_job *job_ = nullptr;
 	bool job_waits_ = false, stream_waits_ = false;
 	uint64_t words_sent_ = 0, quiet_ = 0;
 	uint32_t words_received_ = 0;
@@ -256,7 +256,7 @@ void stalls(struct gloss_sim *sim, uint64_t seed)
 	sim->stalls(seed);
 }
 
-int run(struct gloss_sim *sim, const struct gloss_job *job, uint64_t limit,
+int run(struct gloss_sim *sim, const struct accel_job *job, uint64_t limit,
 	struct gloss_status *status, struct gloss_sim_clocks *clocks)
 {
 	try {

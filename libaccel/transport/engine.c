@@ -14,7 +14,7 @@ struct accel_engine_job {
 	bool ended;
 	int error;			/* of the engine */
 	struct gloss_status status;
-	struct gloss_job job;
+	struct accel_job job;
 	uint32_t *stream;		/* until it has ended */
 };
 

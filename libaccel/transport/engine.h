@@ -24,7 +24,7 @@
  * Runs one job to its end; called from the engine's thread. An error means that
  * the board failed and is ready for the next job all the same.
  */
-typedef int (*accel_engine_run)(void *data, const struct gloss_job *job,
+typedef int (*accel_engine_run)(void *data, const struct accel_job *job,
 				struct gloss_status *status);
 
 struct accel_engine_job;

@@ -13,7 +13,7 @@ struct transport_model {
 	struct model model;
 };
 
-static int transport_model_run(void *data, const struct gloss_job *job,
+static int transport_model_run(void *data, const struct accel_job *job,
 			       struct gloss_status *status)
 {
 	return model_run(data, job, status);

@@ -47,7 +47,7 @@ static uint64_t sim_packet_clocks(const uint32_t *packet, uint64_t words, uint64
 }
 
 /* A core that takes longer hangs. */
-static uint64_t sim_limit(const struct gloss_job *job, uint64_t tile)
+static uint64_t sim_limit(const struct accel_job *job, uint64_t tile)
 {
 	uint64_t at = 0, clocks = JOB_CLOCKS + (uint64_t)job->stream_words;
 
@@ -72,7 +72,7 @@ static void sim_add_clocks(struct transport_sim *transport, const struct gloss_s
 	pthread_mutex_unlock(&transport->lock);
 }
 
-static int sim_run(void *data, const struct gloss_job *job, struct gloss_status *status)
+static int sim_run(void *data, const struct accel_job *job, struct gloss_status *status)
 {
 	struct transport_sim *transport = data;
 	struct gloss_sim_clocks clocks;

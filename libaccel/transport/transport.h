@@ -40,7 +40,7 @@ struct accel_transport_part {
 	size_t count;
 };
 
-/* A job in the library's terms; see struct gloss_job. */
+/* A job in the library's terms; see struct accel_job. */
 struct accel_transport_job {
 	const uint32_t *stream;		/* NULL: it is in parts */
 	const struct accel_transport_part *part;	/* as many as have stream_words together */

@@ -157,7 +157,7 @@ static _Noreturn void die(const char *what)
 static uint64_t run(struct bench *b, uint32_t *covered)
 {
 	uint32_t response[GLOSS_COUNTER_WORDS];
-	struct gloss_job job = {
+	struct accel_job job = {
 		.stream = b->words, .response = response, .response_words = GLOSS_COUNTER_WORDS,
 		.slot[0] = { 0, MEMORY, GLOSS_RIGHTS_READ_WRITE },
 	};

@@ -40,7 +40,7 @@ static struct gloss_slot slot_from(const uint8_t bytes[FUZZ_SLOT_BYTES])
 }
 
 /* The stream gets a buffer that ends where it ends. False: no memory for it. */
-static bool job_from(const uint8_t *data, size_t size, struct gloss_job *job)
+static bool job_from(const uint8_t *data, size_t size, struct accel_job *job)
 {
 	uint32_t count = (uint32_t)((size - FUZZ_HEAD_BYTES) / 4);
 	uint32_t *stream = malloc(4 * (size_t)count);
@@ -64,7 +64,7 @@ static bool job_from(const uint8_t *data, size_t size, struct gloss_job *job)
 }
 
 /* Opens to the model what a slot gives any right to, and the room in the response. */
-static void poison(const struct gloss_job *job)
+static void poison(const struct accel_job *job)
 {
 	ASAN_POISON_MEMORY_REGION(memory, sizeof(memory));
 	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
@@ -75,7 +75,7 @@ static void poison(const struct gloss_job *job)
 }
 
 /* Takes back what the job may have written; then what it could only read must be as it was. */
-static void check_memory(const struct gloss_job *job)
+static void check_memory(const struct accel_job *job)
 {
 	ASAN_UNPOISON_MEMORY_REGION(memory, sizeof(memory));
 	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
@@ -87,7 +87,7 @@ static void check_memory(const struct gloss_job *job)
 }
 
 /* What takes the slot table or the response to find, the decoder can not find. */
-static void check_decoder(const struct gloss_job *job, int tile_size,
+static void check_decoder(const struct accel_job *job, int tile_size,
 			  const struct gloss_status *status)
 {
 	struct decode_packet last;
@@ -102,7 +102,7 @@ static void check_decoder(const struct gloss_job *job, int tile_size,
 	check(fault == GLOSS_FAULT_NONE || last.fault_offset == status->offset);
 }
 
-static void run(const struct gloss_job *job, int tile_size)
+static void run(const struct accel_job *job, int tile_size)
 {
 	static struct model model;
 	struct gloss_status status;
@@ -118,7 +118,7 @@ static void run(const struct gloss_job *job, int tile_size)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	struct gloss_job job;
+	struct accel_job job;
 
 	if (size < FUZZ_HEAD_BYTES)
 		return 0;

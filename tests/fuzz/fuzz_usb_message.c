@@ -54,7 +54,7 @@ static enum accel_usb_message take(struct accel_usb_parser *parser, struct outco
 		outcome->ended < JOBS ? &outcome->answer[outcome->ended] : NULL;
 	size_t before = *count;
 	const uint32_t *from = *words;
-	enum accel_usb_message message = accel_usb_parser_take(parser, answer, words, count);
+	enum accel_usb_message message = accel_usb_message_take(parser, answer, words, count);
 
 	check(*count <= before && *words == from + (before - *count));
 	check(message != ACCEL_USB_MORE || !*count);
@@ -68,7 +68,7 @@ static void run(struct outcome *outcome, const uint32_t *words, size_t count, si
 {
 	struct accel_usb_parser parser;
 
-	accel_usb_parser_start(&parser, FUZZ_MESSAGE_NONCE);
+	accel_usb_message_start(&parser, FUZZ_MESSAGE_NONCE);
 	while (count && !outcome->garbled) {
 		size_t now = count < piece ? count : piece, left = now;
 		const uint32_t *at = words;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fake_engine.h"
 
-static bool fake_begin(void *data, const struct gloss_job *job)
+static bool fake_begin(void *data, const struct accel_job *job)
 {
 	struct fake_engine *fake = data;
 

@@ -13,7 +13,7 @@ struct fake_engine {
 	enum gloss_fault cause;
 	bool refuses;
 
-	struct gloss_job job;
+	struct accel_job job;
 	uint32_t begun, ended;
 	uint32_t stream[FAKE_STREAM_MAX];
 	uint32_t taken, answered;

@@ -57,7 +57,7 @@ void pair_forgive_slots(struct pair *pair, const struct gloss_slot *slot)
 }
 
 /* Too little room, a stream that ends too early, either of them at the border of half a page. */
-static void cut_words(struct pair *pair, struct gloss_job *job)
+static void cut_words(struct pair *pair, struct accel_job *job)
 {
 	switch (pair_below(pair, 8)) {
 	case 0:

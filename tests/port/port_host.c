@@ -230,7 +230,7 @@ void port_host_start(struct port_host *host, uint32_t log2, uint32_t mask)
 	port_host_write(host, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_ENABLE);
 }
 
-static uint64_t put_slots(struct port_host *host, const struct gloss_job *job)
+static uint64_t put_slots(struct port_host *host, const struct accel_job *job)
 {
 	uint64_t address = port_host_take(host, 4 * GLOSS_SLOTS * GLOSS_SLOT_ENTRY_WORDS, 64);
 
@@ -247,7 +247,7 @@ static uint64_t put_slots(struct port_host *host, const struct gloss_job *job)
 	return address;
 }
 
-struct gloss_job_descriptor port_host_describe(struct port_host *host, const struct gloss_job *job,
+struct gloss_job_descriptor port_host_describe(struct port_host *host, const struct accel_job *job,
 					       uint32_t sequence)
 {
 	uint64_t stream = port_host_list(host, job->stream_words);

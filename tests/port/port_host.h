@@ -83,7 +83,7 @@ uint64_t port_host_word(const struct port_host *host, uint64_t list, uint32_t wo
 void port_host_start(struct port_host *host, uint32_t log2, uint32_t mask);
 /* Puts @job with lists and pages of its own into memory and describes it; @job's response is not
  * looked at. */
-struct gloss_job_descriptor port_host_describe(struct port_host *host, const struct gloss_job *job,
+struct gloss_job_descriptor port_host_describe(struct port_host *host, const struct accel_job *job,
 					       uint32_t sequence);
 /* Writes the next entry of the ring, without telling the board. */
 void port_host_push(struct port_host *host, const struct gloss_job_descriptor *descriptor);

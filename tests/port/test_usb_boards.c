@@ -165,7 +165,7 @@ static void change_head(struct test *test, uint32_t n)
 
 static void make_job(struct test *test, uint32_t n)
 {
-	const struct gloss_job *job = &test->pair.stream.job;
+	const struct accel_job *job = &test->pair.stream.job;
 	uint32_t slots = GLOSS_SLOTS;
 
 	pair_make_job(&test->pair, test->ops[0]->tile_size);

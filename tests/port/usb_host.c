@@ -66,7 +66,7 @@ void usb_host_sync(struct usb_host *host, uint32_t nonce)
 	usb_words_add(&host->out, words, GLOSS_USB_SYNC_WORDS);
 }
 
-void usb_host_job(struct usb_host *host, const struct gloss_job *job, uint32_t slots,
+void usb_host_job(struct usb_host *host, const struct accel_job *job, uint32_t slots,
 		  uint32_t sequence)
 {
 	uint32_t words[GLOSS_USB_JOB_WORDS], from;

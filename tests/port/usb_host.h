@@ -47,7 +47,7 @@ void usb_words_add(struct usb_words *words, const uint32_t *word, uint32_t count
 
 void usb_host_sync(struct usb_host *host, uint32_t nonce);
 /* A job with its first @slots slots. */
-void usb_host_job(struct usb_host *host, const struct gloss_job *job, uint32_t slots,
+void usb_host_job(struct usb_host *host, const struct accel_job *job, uint32_t slots,
 		  uint32_t sequence);
 
 /* ---- what happens ---- */

@@ -32,7 +32,7 @@ public:
 		job.stream_words = (uint32_t)words.size();
 	}
 
-	gloss_job job = {};
+	accel_job job = {};
 
 private:
 	struct surface {

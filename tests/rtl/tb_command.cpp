@@ -29,7 +29,7 @@ enum { COVERED = 0x12345678, PASSED = 0x9abcdef0 };
 
 class Walker {
 public:
-	Walker(const gloss_job &job, Expected &out) : job(job), out(out)
+	Walker(const accel_job &job, Expected &out) : job(job), out(out)
 	{
 		model.tile_size = TILE;
 		model.job = &job;
@@ -148,7 +148,7 @@ private:
 		}
 	}
 
-	const gloss_job &job;
+	const accel_job &job;
 	Expected &out;
 	struct model model = {};
 };
@@ -205,7 +205,7 @@ public:
 			stall.emplace_back(random);
 	}
 
-	gloss_status run(const gloss_job &job, const Expected &expected);
+	gloss_status run(const accel_job &job, const Expected &expected);
 
 	Random random;
 	bool stalls = true;
@@ -216,8 +216,8 @@ private:
 	enum { STREAM_IN, RENDER, BEGIN_OP, END_OP, COPY, COPY_DATA, RESPONSE, STATUS, PORTS };
 
 	bool ready(int port) { return !stalls || !stall[port].now(); }
-	void start(const gloss_job &job);
-	void drive(const gloss_job &job);
+	void start(const accel_job &job);
+	void drive(const accel_job &job);
 	void clock();
 	void settle_queue();
 	void sample_render();
@@ -247,7 +247,7 @@ void CommandBench::take(Port &port, const std::vector<uint64_t> &value, const ch
 	port.pop_front();
 }
 
-void CommandBench::start(const gloss_job &job)
+void CommandBench::start(const accel_job &job)
 {
 	top.job_valid_i = top.stream_valid_i = top.render_ready_i = 0;
 	top.tile_begin_ready_i = top.tile_end_ready_i = 0;
@@ -282,7 +282,7 @@ void CommandBench::start(const gloss_job &job)
 	record_clocks[2] = 0;
 }
 
-void CommandBench::drive(const gloss_job &job)
+void CommandBench::drive(const accel_job &job)
 {
 	if (!top.stream_valid_i && beat < beats && ready(STREAM_IN)) {
 		top.stream_valid_i = 1;
@@ -415,7 +415,7 @@ void CommandBench::settle_queue()
 		TB_CHECK(port->empty(), "something expected did not come");
 }
 
-gloss_status CommandBench::run(const gloss_job &job, const Expected &expected)
+gloss_status CommandBench::run(const accel_job &job, const Expected &expected)
 {
 	gloss_status status = {};
 	uint64_t limit;
@@ -496,7 +496,7 @@ static void record_rate(CommandBench &bench)
 	unsigned int best = 2, count = 200;
 	std::vector<uint32_t> words = { GLOSS_OP_TILE_BEGIN << 24 | 2, 0, 0 };
 	gloss_triangle p = { GLOSS_GEOMETRY_COMPACT, GLOSS_SHADING_SECOND_ORDER, false, 0 };
-	gloss_job job = {};
+	accel_job job = {};
 	Expected expected;
 
 	for (unsigned int part : parts)

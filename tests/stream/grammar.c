@@ -211,7 +211,7 @@ static void make_stream(struct grammar *g, uint64_t state)
 	uint32_t packets;
 
 	g->state = state;
-	g->job = (struct gloss_job){ .stream = g->words };
+	g->job = (struct accel_job){ .stream = g->words };
 	g->records = 0;
 	g->in_tile = false;
 	g->answered = 0;

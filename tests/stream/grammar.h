@@ -43,7 +43,7 @@ struct grammar_record {
 struct grammar {
 	/* stream points into words, so the struct must not be copied; response is NULL and the
 	 * caller's to set. */
-	struct gloss_job job;
+	struct accel_job job;
 	uint32_t words[GRAMMAR_WORDS];
 	uint32_t slots; /* those behind are empty */
 	uint32_t tile_size;

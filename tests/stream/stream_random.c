@@ -415,7 +415,7 @@ static uint32_t random_budget(struct stream_random *r)
 
 void stream_random_valid(struct stream_random *r, uint64_t seed, int tile_size)
 {
-	r->job = (struct gloss_job){ .stream = r->words };
+	r->job = (struct accel_job){ .stream = r->words };
 	r->tile_size = tile_size;
 	r->state = seed;
 	r->response_used = 0;

@@ -31,7 +31,7 @@ extern "C" {
 struct stream_random {
 	/* stream points into words, so the struct must not be copied; response is
 	 * NULL and the caller's to set, to room for response_words. */
-	struct gloss_job job;
+	struct accel_job job;
 	uint32_t words[STREAM_RANDOM_WORDS];
 	int tile_size;
 

@@ -43,7 +43,7 @@ struct test {
 /* Says how to repeat the failure, and leaves the stream for gloss-decode. */
 static int fail(const struct test *test, int job, const char *what)
 {
-	const struct gloss_job *j = &test->random.job;
+	const struct accel_job *j = &test->random.job;
 	FILE *file = fopen(test->failed, "wb");
 
 	fprintf(stderr, "test_stream: job %d of group %" PRIu64 ": %s\n", job, test->group, what);
@@ -60,7 +60,7 @@ static int fail(const struct test *test, int job, const char *what)
  * A generous bound without stalls: each word is read, each triangle may cover the tile, each tile
  * is loaded and stored twice over at a row each, with memory's latency for each of its bursts.
  */
-static uint64_t bound(const struct test *test, const struct gloss_job *job, bool stalls)
+static uint64_t bound(const struct test *test, const struct accel_job *job, bool stalls)
 {
 	uint64_t size = test->ops->tile_size, rows = size * size / test->ops->pixels_per_clock;
 	uint64_t clocks = 1000 + 4ull * job->stream_words + job->response_words;
@@ -206,7 +206,7 @@ static int memory_error_ends_job(struct test *test)
 
 	for (int n = 0; n < 4; n++) {
 		memcpy(test->random.words, streams[n], sizeof(streams[n]));
-		test->random.job = (struct gloss_job){
+		test->random.job = (struct accel_job){
 			.stream = test->random.words, .stream_words = words[n], .response_words = 1,
 			.slot[0] = { STREAM_RANDOM_MEMORY, 1 << 20, GLOSS_RIGHTS_READ_WRITE },
 		};
@@ -242,7 +242,7 @@ static int dropped_tile_between_stores_ends(struct test *test)
 		memcpy(stream + words, packets, sizeof(packets));
 		words += 6;
 	}
-	test->random.job = (struct gloss_job){
+	test->random.job = (struct accel_job){
 		.stream = stream, .stream_words = words,
 		.slot[0] = { 0, row * test->ops->tile_size, GLOSS_RIGHTS_READ_WRITE },
 	};

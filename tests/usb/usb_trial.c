@@ -157,7 +157,7 @@ static int job_read_back(const struct item *item, struct job_side *side)
 
 static int job_submit(const struct item *item, struct job_side *side, struct accel_device *device)
 {
-	const struct gloss_job *job = &item->random.job;
+	const struct accel_job *job = &item->random.job;
 	int err = accel_stream_new(device, &side->stream);
 
 	for (unsigned int n = 0; n < GLOSS_SLOTS && !err; n++)
@@ -197,7 +197,7 @@ static int job_finish(struct job_side *side)
 
 static void job_prepare(struct item *item, unsigned int tile_size)
 {
-	const struct gloss_job *job = &item->random.job;
+	const struct accel_job *job = &item->random.job;
 
 	stream_random_valid(&item->random, item->seed, (int)tile_size);
 	if (item->seed % DAMAGED_EVERY == 0)

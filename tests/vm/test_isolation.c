@@ -129,7 +129,7 @@ static void end_victim(struct victim *victim)
 /* ---- the intruder's jobs, and the model's word for them ---- */
 
 /* The slots of @job as the kernel takes them: whole words, and none without rights. */
-static uint32_t kernel_slots(const struct client *client, struct gloss_job *job,
+static uint32_t kernel_slots(const struct client *client, struct accel_job *job,
 			     struct drm_gloss_slot *slots)
 {
 	for (uint32_t i = 0; i < GLOSS_SLOTS; i++) {
@@ -148,7 +148,7 @@ static uint32_t kernel_slots(const struct client *client, struct gloss_job *job,
 	return GLOSS_SLOTS;
 }
 
-static void run_on_model(struct gloss_job *job, struct gloss_status *status)
+static void run_on_model(struct accel_job *job, struct gloss_status *status)
 {
 	static struct model model;
 
@@ -179,7 +179,7 @@ static void fill_response(struct client *client, uint32_t used)
 }
 
 /* Runs @job, whose stream is in its own memory, on the board and on the model. */
-static void run_on_both(struct client *client, struct gloss_job *job)
+static void run_on_both(struct client *client, struct accel_job *job)
 {
 	struct gloss_status status;
 	struct client_job sent;
@@ -230,7 +230,7 @@ static void accesses_around_a_slot(struct client *client, uint32_t base, uint32_
 		1u << 31, -base, -base - OBJECT, -OBJECT, ~0u - 3, ~0u - 7,
 	};
 	uint32_t stream[64], row = 4 * tile, words = 0;
-	struct gloss_job job = { .stream = stream };
+	struct accel_job job = { .stream = stream };
 
 	job.slot[3] = (struct gloss_slot){ base, size, GLOSS_RIGHTS_READ_WRITE };
 	for (size_t i = 0; i < sizeof(offsets) / sizeof(offsets[0]); i++) {
@@ -260,7 +260,7 @@ static void accesses_around_a_slot(struct client *client, uint32_t base, uint32_
 static void accesses_without_a_right(struct client *client)
 {
 	uint32_t stream[64];
-	struct gloss_job job = { .stream = stream, .response_words = 8 };
+	struct accel_job job = { .stream = stream, .response_words = 8 };
 
 	job.slot[5] = (struct gloss_slot){ NODE_PAGE, NODE_PAGE, GLOSS_RIGHTS_READ };
 	job.slot[6] = (struct gloss_slot){ NODE_PAGE, NODE_PAGE, GLOSS_RIGHTS_WRITE };

@@ -92,7 +92,7 @@ static void emit_read(struct side *side, uint32_t slot, uint32_t count)
 /* Three jobs, none of which waits for the one before but on the board. */
 static void submit(struct worker *worker, struct side *side)
 {
-	const struct gloss_job *job = &worker->random.job;
+	const struct accel_job *job = &worker->random.job;
 
 	side->content_words = 0;
 	for (uint32_t n = 0; n < GLOSS_SLOTS; n++) {

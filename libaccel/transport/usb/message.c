@@ -9,7 +9,7 @@
 /* Words of it that its checksum is of. */
 #define COMPLETION_CHECKED (GLOSS_USB_COMPLETION_WORDS - 1)
 
-void accel_usb_parser_start(struct accel_usb_parser *parser, uint32_t nonce)
+void accel_usb_message_start(struct accel_usb_parser *parser, uint32_t nonce)
 {
 	*parser = (struct accel_usb_parser){ .state = ACCEL_USB_PARSER_SEARCH, .nonce = nonce };
 }
@@ -137,7 +137,7 @@ static enum accel_usb_message parser_word(struct accel_usb_parser *parser,
 	}
 }
 
-enum accel_usb_message accel_usb_parser_take(struct accel_usb_parser *parser,
+enum accel_usb_message accel_usb_message_take(struct accel_usb_parser *parser,
 					     struct accel_usb_answer *answer,
 					     const uint32_t **words, size_t *count)
 {

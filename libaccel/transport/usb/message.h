@@ -50,14 +50,14 @@ struct accel_usb_parser {
 };
 
 /* Looks for the sync with @nonce. */
-void accel_usb_parser_start(struct accel_usb_parser *parser, uint32_t nonce);
+void accel_usb_message_start(struct accel_usb_parser *parser, uint32_t nonce);
 
 /*
  * Takes words from *@words on, of which there are *@count, and steps both past those taken.
  * @answer is that of the job whose turn it is, the same until its completion; NULL: none, so
  * that any word is garbled. After ACCEL_USB_GARBLED that is the answer to all.
  */
-enum accel_usb_message accel_usb_parser_take(struct accel_usb_parser *parser,
+enum accel_usb_message accel_usb_message_take(struct accel_usb_parser *parser,
 					     struct accel_usb_answer *answer,
 					     const uint32_t **words, size_t *count);
 

@@ -196,7 +196,7 @@ int accel_usb_transfers_start_locked(struct accel_usb_link *link, uint32_t nonce
 	};
 	int err;
 
-	accel_usb_parser_start(&link->parser, nonce);
+	accel_usb_message_start(&link->parser, nonce);
 	gloss_usb_sync_pack(link->sync_words, &sync);
 	link->in_first = NULL;
 	link->in_last = &link->in_first;
@@ -293,7 +293,7 @@ static bool in_take(struct accel_usb_link *link, const struct libusb_transfer *t
 	while (count) {
 		struct accel_usb_job *job = link->state == USB_LINK_READY ? link->answering : NULL;
 
-		if (!in_message(link, accel_usb_parser_take(&link->parser,
+		if (!in_message(link, accel_usb_message_take(&link->parser,
 							    job ? &job->answer : NULL, &words,
 							    &count)))
 			return false;

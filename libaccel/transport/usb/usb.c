@@ -9,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "transport/usb/zero.h"
 #include "gloss_regs.h"
 #include "transport/range.h"
 #include "transport/usb/checksum.h"
 #include "transport/usb/link.h"
 #include "transport/usb/node.h"
+#include "transport/usb/zero.h"
 
 #define MEMORY_PAGES_MAX (1u << 20)
 #define ATTEMPTS 3			/* to submit a job */
@@ -76,7 +76,6 @@ static int usb_identify(struct transport_usb *transport, struct accel_transport_
 	struct accel_transport_info *info = &transport->info;
 	const char *name = transport->node.name;
 	uint32_t value[4];
-
 	int err = usb_read_registers(&transport->node, value);
 
 	if (err) {
@@ -173,7 +172,7 @@ static void transport_usb_info(void *state, struct accel_transport_info *info)
 
 /* ---- board memory ---- */
 
-/* The link to it, or to where the list ends. */
+/* The pointer to it, or to where the list ends. */
 static struct usb_object **usb_object_find(struct transport_usb *transport, uint64_t base)
 {
 	struct usb_object **link = &transport->objects;

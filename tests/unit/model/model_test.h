@@ -12,7 +12,7 @@
 
 struct model_test {
 	struct model model;
-	struct gloss_job job;
+	struct accel_job job;
 	struct gloss_status status;
 	uint32_t words[MODEL_TEST_WORDS];
 	uint32_t response[MODEL_TEST_RESPONSE];

@@ -485,7 +485,7 @@ static void decode_agrees_with_the_model_on_random_streams(void **state)
 	static uint32_t memory[MEMORY_SIZE / 4], response[RESPONSE_WORDS];
 	static struct model model;
 	static struct stream s;
-	struct gloss_job job = { .stream = s.words, .response = response,
+	struct accel_job job = { .stream = s.words, .response = response,
 				 .response_words = RESPONSE_WORDS };
 	unsigned int found[8] = { 0 };
 	struct gloss_status status;

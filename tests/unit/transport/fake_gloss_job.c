@@ -11,7 +11,7 @@
 
 struct job {
 	struct object *object[JOB_OBJECTS];	/* a use each; NULL: none */
-	struct gloss_job job;
+	struct accel_job job;
 	struct drm_gloss_status *status;
 	struct syncobj *syncobj;
 	uint64_t point;

@@ -36,7 +36,7 @@ static void fake_stalls(struct gloss_sim *sim, uint64_t seed)
 }
 
 /* Fails as the stream's first word says; else answers with the limit and the seed. */
-static int fake_run(struct gloss_sim *sim, const struct gloss_job *job, uint64_t limit,
+static int fake_run(struct gloss_sim *sim, const struct accel_job *job, uint64_t limit,
 		    struct gloss_status *status, struct gloss_sim_clocks *clocks)
 {
 	if (job->stream[0])

@@ -21,7 +21,7 @@ struct board {
 	int error;			/* of the next jobs */
 };
 
-static int board_run(void *data, const struct gloss_job *job, struct gloss_status *status)
+static int board_run(void *data, const struct accel_job *job, struct gloss_status *status)
 {
 	struct board *board = data;
 

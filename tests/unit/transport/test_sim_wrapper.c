@@ -43,7 +43,7 @@ static int teardown(void **state)
 static int run(uint32_t wrong, uint32_t base, uint32_t response_words, uint64_t limit)
 {
 	const uint32_t stream[] = { wrong, 11, 12 };
-	const struct gloss_job job = {
+	const struct accel_job job = {
 		.stream = stream, .stream_words = 3,
 		.response = response, .response_words = response_words,
 		.slot = { { .base = base, .size = 4096, .rights = GLOSS_RIGHTS_READ_WRITE } },

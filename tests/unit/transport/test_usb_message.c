@@ -120,7 +120,7 @@ struct hearing {
 static void hear_start(struct hearing *hearing)
 {
 	*hearing = (struct hearing){ .syncs = 0 };
-	accel_usb_parser_start(&hearing->parser, NONCE);
+	accel_usb_message_start(&hearing->parser, NONCE);
 	for (unsigned int n = 0; n < talk.jobs; n++)
 		memset(talk.job[n].response, 0x5a, sizeof(talk.job[n].response));
 }
@@ -135,7 +135,7 @@ static void hear(struct hearing *hearing, const uint32_t *from, size_t count)
 	while (count && !hearing->garbled) {
 		struct job *job = hearing->jobs < talk.jobs ? &talk.job[hearing->jobs] : NULL;
 
-		switch (accel_usb_parser_take(&hearing->parser, job ? &job->answer : NULL, &words,
+		switch (accel_usb_message_take(&hearing->parser, job ? &job->answer : NULL, &words,
 					      &count)) {
 		case ACCEL_USB_SYNC:
 			hearing->syncs++;

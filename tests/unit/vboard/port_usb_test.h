@@ -118,7 +118,7 @@ static inline void start(struct usb_host *host)
 static inline void add_job(struct usb_host *host, uint32_t stream_words, uint32_t response_words,
 		    uint32_t sequence)
 {
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
 				 .response_words = response_words };
 
 	usb_host_job(host, &job, 0, sequence);

@@ -106,7 +106,7 @@ static void slots_that_leave_memory_are_the_memorys_fault(void **state)
 	(void)state;
 	for (size_t n = 0; n < sizeof(bad) / sizeof(bad[0]); n++) {
 		static const uint32_t nop;
-		struct gloss_job slots = { .stream = &nop, .stream_words = 1 };
+		struct accel_job slots = { .stream = &nop, .stream_words = 1 };
 		struct gloss_job_descriptor d;
 
 		slots.slot[n] = bad[n];

@@ -118,7 +118,7 @@ static void slots_that_leave_memory_are_the_memorys_fault(void **state)
 	(void)state;
 	for (size_t n = 0; n < sizeof(bad) / sizeof(bad[0]); n++) {
 		static const uint32_t nop;
-		struct gloss_job slots = { .stream = &nop, .stream_words = 1 };
+		struct accel_job slots = { .stream = &nop, .stream_words = 1 };
 
 		slots.slot[n] = bad[n];
 		start(&host, boards[n % 2], 1);
@@ -134,7 +134,7 @@ static void slots_that_leave_memory_are_the_memorys_fault(void **state)
 static void reset_leaves_memory_as_it_is(void **state)
 {
 	uint32_t words[4];
-	struct gloss_job write = { .stream = words };
+	struct accel_job write = { .stream = words };
 	struct usb_host host;
 
 	(void)state;

@@ -82,7 +82,7 @@ static int teardown(void **state)
 static struct gloss_job_descriptor describe(struct port_host *host, uint32_t stream_words,
 					    uint32_t response_words, uint32_t sequence)
 {
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
 				 .response_words = response_words };
 
 	return port_host_describe(host, &job, sequence);
@@ -178,7 +178,7 @@ static void registers_that_are_read_only_ignore_writes(void **state)
 static void job_passes_its_slots_with_low_bits_dropped(void **state)
 {
 	struct port_host *host = *state;
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 3 };
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = 3 };
 	struct gloss_job_descriptor d;
 
 	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)

@@ -158,7 +158,7 @@ static void job_passes_the_slots_it_has(void **state)
 {
 	static const uint32_t counts[] = { 0, 1, 15, 16 };
 	struct usb_host *host = *state;
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 3 };
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = 3 };
 
 	for (uint32_t n = 0; n < GLOSS_SLOTS; n++)
 		job.slot[n] = (struct gloss_slot){ n << 12 | 0xabc, 100 + n,
@@ -229,7 +229,7 @@ static void packet_is_executed_when_it_is_there(void **state)
 {
 	struct usb_host *host = *state;
 	struct fake_engine *engine = &host->board->engine;
-	struct gloss_job job = { .stream_words = FAKE_STREAM_MAX };
+	struct accel_job job = { .stream_words = FAKE_STREAM_MAX };
 	uint32_t begin;
 
 	start(host);
@@ -298,7 +298,7 @@ static void response_comes_in_chunks_that_are_full(void **state)
 static void chunk_leaves_when_it_is_full(void **state)
 {
 	struct usb_host *host = *state;
-	struct gloss_job job = { .stream = packets(1), .stream_words = 1000,
+	struct accel_job job = { .stream = packets(1), .stream_words = 1000,
 				 .response_words = 1000 };
 
 	start(host);
@@ -517,7 +517,7 @@ static void events_that_nobody_fetches_are_dropped_but_four(void **state)
 static void status_follows_a_job_word_by_word(void **state)
 {
 	struct usb_host *host = *state;
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 10 };
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = 10 };
 	uint32_t begin, slots, end, taken;
 
 	start(host);

@@ -7,7 +7,7 @@
 static void torn_job_leaves_nothing_to_the_next_one(void **state)
 {
 	struct usb_host *host = *state;
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 600,
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = 600,
 				 .response_words = 900 };
 	uint32_t words;
 
@@ -196,7 +196,7 @@ static void job_with_a_wrong_checksum_is_not_answered(void **state)
 static void checksum_is_of_every_bit_of_a_job(void **state)
 {
 	struct usb_host *host = *state;
-	struct gloss_job job = { .stream = fake_engine_words(), .stream_words = 40 };
+	struct accel_job job = { .stream = fake_engine_words(), .stream_words = 40 };
 	uint32_t first = GLOSS_USB_SYNC_WORDS + GLOSS_USB_JOB_RESPONSE_WORDS_WORD, last;
 
 	start(host);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "vboard/board/engine.h"
 
-static bool board_begin(void *data, const struct gloss_job *job)
+static bool board_begin(void *data, const struct accel_job *job)
 {
 	struct board_engine *board = data;
 

@@ -27,7 +27,7 @@ uint32_t port_base_read(const struct port_base *base, uint32_t offset, uint32_t 
 	return offset / 4 < PORT_REGISTERS ? base->reg[offset / 4] : 0;
 }
 
-void port_base_slot(struct gloss_job *job, uint32_t n, const uint32_t *words)
+void port_base_slot(struct accel_job *job, uint32_t n, const uint32_t *words)
 {
 	struct gloss_slot_entry entry;
 
@@ -39,7 +39,7 @@ void port_base_slot(struct gloss_job *job, uint32_t n, const uint32_t *words)
 	};
 }
 
-bool port_base_begin(struct port_base *base, const struct gloss_job *job)
+bool port_base_begin(struct port_base *base, const struct accel_job *job)
 {
 	base->window_first = 0;
 	base->window_count = 0;

@@ -33,7 +33,7 @@ struct port_step {
 struct port_engine {
 	void *data;
 	/* A job starts; its stream and response are NULL. False: its slots leave board memory. */
-	bool (*begin)(void *data, const struct gloss_job *job);
+	bool (*begin)(void *data, const struct accel_job *job);
 	/* Works for some microseconds; called until all words are taken. */
 	void (*step)(void *data, struct port_step *step);
 	/* All words are taken: how did the job end? */
@@ -75,9 +75,9 @@ void port_base_reset(struct port_base *base, uint32_t ring_max_log2);
 uint32_t port_base_read(const struct port_base *base, uint32_t offset, uint32_t status);
 
 /* Slot @n of a job from its words. */
-void port_base_slot(struct gloss_job *job, uint32_t n, const uint32_t *words);
+void port_base_slot(struct accel_job *job, uint32_t n, const uint32_t *words);
 /* False: the engine does not take the job, and status says why. */
-bool port_base_begin(struct port_base *base, const struct gloss_job *job);
+bool port_base_begin(struct port_base *base, const struct accel_job *job);
 /* Where @words more of the stream go; the window then has at most 4 * PORT_WINDOW_WORDS. */
 uint32_t *port_base_room(struct port_base *base, uint32_t words);
 /* The next step of a job whose next packet, or all that is left of it, is in the window. */

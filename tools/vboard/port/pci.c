@@ -57,7 +57,7 @@ static uint64_t port_entry(const struct port_pci *port, uint32_t low, uint32_t h
 	       (uint64_t)bytes * (REG(port, HEAD) & (entries - 1));
 }
 
-static bool port_read_slots(struct port_pci *port, uint64_t address, struct gloss_job *job)
+static bool port_read_slots(struct port_pci *port, uint64_t address, struct accel_job *job)
 {
 	uint32_t words[GLOSS_SLOTS * GLOSS_SLOT_ENTRY_WORDS];
 
@@ -69,7 +69,7 @@ static bool port_read_slots(struct port_pci *port, uint64_t address, struct glos
 	return true;
 }
 
-static bool port_read_job(struct port_pci *port, struct gloss_job *job)
+static bool port_read_job(struct port_pci *port, struct accel_job *job)
 {
 	uint64_t address = port_entry(port, REG(port, RING_LOW), REG(port, RING_HIGH),
 				      4 * GLOSS_JOB_DESCRIPTOR_WORDS);
@@ -85,7 +85,7 @@ static bool port_read_job(struct port_pci *port, struct gloss_job *job)
 	port_list_init(&port->stream, d.stream_list_low, d.stream_list_high, d.stream_words);
 	port_list_init(&port->response, d.response_list_low, d.response_list_high,
 		       d.response_words);
-	*job = (struct gloss_job){
+	*job = (struct accel_job){
 		.stream_words = d.stream_words,
 		.response_words = d.response_words,
 	};
@@ -95,7 +95,7 @@ static bool port_read_job(struct port_pci *port, struct gloss_job *job)
 
 static void port_begin(struct port_pci *port)
 {
-	struct gloss_job job;
+	struct accel_job job;
 
 	if (!port_read_job(port, &job)) {
 		port_stop(port);

@@ -155,10 +155,10 @@ static uint32_t port_begin_head(struct port_usb *port)
 static void port_begin(struct port_usb *port)
 {
 	struct gloss_usb_job head;
-	struct gloss_job job;
+	struct accel_job job;
 
 	gloss_usb_job_unpack(port->head, &head);
-	job = (struct gloss_job){
+	job = (struct accel_job){
 		.stream_words = head.stream_words,
 		.response_words = head.response_words,
 	};
