@@ -57,7 +57,10 @@
 #define GLOSS_FILE_JOBS		1024
 /* What a job may still run for after its file was closed. */
 #define GLOSS_CLOSED_LIMIT_MS	100
-/* A job is run, then, if that hung the board, as an empty one; then it is the board. */
+/*
+ * A job that hung the board is run once more, as an empty one. If the board hangs again, it is the
+ * board that is to blame.
+ */
 #define GLOSS_JOB_HANGS		2
 #define GLOSS_PRIORITIES	(DRM_GLOSS_PRIORITY_HIGH + 1)
 /* A job's objects: its slots, stream, response and status. */

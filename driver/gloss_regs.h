@@ -52,7 +52,7 @@
 /*
  * Clocks in which the core had a job, of the jobs that have ended since the reset: lower half. A
  * board without a clock, or built without these counters, has 0 here and in the six registers after
- * it; so a board that counts is told by clocks once a job has ended.
+ * it; so a number other than 0, once a job has ended, says that a board counts.
  */
 #define GLOSS_REG_CLOCKS_LOW 0x064
 /* Upper half of these clocks; it moves only when a job ends. */
@@ -71,9 +71,9 @@
 /* Structs: indices of words, masks of narrow fields. */
 
 /*
- * A range of board memory that the job's stream may name by its number. A job whose slots leave
- * board memory is the driver's mistake: it harms no other job, and ends with MEMORY or as its
- * stream deserves.
+ * A range of board memory that the job's stream may name by its number. A slot that leaves board
+ * memory is the driver's mistake. A job with one harms no other job; it ends with MEMORY, or as it
+ * would without that.
  */
 #define GLOSS_SLOT_ENTRY_WORDS 4
 /* Byte address in board memory, a multiple of 4096. */

@@ -165,9 +165,10 @@ static inline unsigned int gloss_header_length(uint32_t header)
  * it: x, and the remainder r of the exact division, 0 <= r < dy. To the next row: r += m, x +=
  * step; if r >= dy then r -= dy, x += 1. A row's pixels are left.x <= x < right.x. Before row
  * switch_row (counted from the triangle's first row, 0 is never) the middle edge, as sent, takes
- * the place of the left (side 0) or right (side 1) one. r, m and dy count parts of a pixel, dy of
- * them to one; any unit will do in which they are whole. Registers wrap: x, step at 13 bits, r, m,
- * dy at 16, and a sum wraps before it is compared; so an edge is exact up to a dy of 2^15.
+ * the place of the left (side 0) or right (side 1) one. r, m and dy count parts of a pixel, of
+ * which dy make one pixel; any unit will do in which all three are whole numbers. Registers wrap: x
+ * and step at 13 bits; r, m and dy at 16. A sum wraps before it is compared, so an edge is exact if
+ * dy is at most 2^15.
  */
 struct gloss_edges_wide {
 	int32_t left_x;
@@ -1099,9 +1100,9 @@ static inline void gloss_status_unpack(const uint32_t *words, struct gloss_statu
 #define GLOSS_SLOT_ENTRY_WORDS 4
 
 /*
- * A range of board memory that the job's stream may name by its number. A job whose slots leave
- * board memory is the driver's mistake: it harms no other job, and ends with MEMORY or as its
- * stream deserves.
+ * A range of board memory that the job's stream may name by its number. A slot that leaves board
+ * memory is the driver's mistake. A job with one harms no other job; it ends with MEMORY, or as it
+ * would without that.
  */
 struct gloss_slot_entry {
 	/* Byte address in board memory, a multiple of 4096. */

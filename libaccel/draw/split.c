@@ -160,7 +160,11 @@ static bool split_is_divisible(const struct accel_patch *patch)
 	return true;
 }
 
-/* The middle of a tall triangle has more digits than its edges; of quarters it has not. */
+/*
+ * Can the edge that a split in two or three makes be sent? It ends at a midpoint, which is in finer
+ * units than vertices are, so in a tall triangle its numbers may be too long for a record. A split
+ * in four makes edges half as tall.
+ */
 static bool split_inner_fits(const struct accel_patch *patch, int count)
 {
 	struct accel_patch turned = split_first(patch, count);
