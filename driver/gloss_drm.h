@@ -57,7 +57,7 @@ enum drm_gloss_param {
 	/** @DRM_GLOSS_PARAM_JOB_LIMIT: milliseconds a job may run; then it ends with -ETIME */
 	DRM_GLOSS_PARAM_JOB_LIMIT,
 	/**
-	  * @DRM_GLOSS_PARAM_JOBS_QUEUED: jobs of an open file that may be unfinished before
+	 * @DRM_GLOSS_PARAM_JOBS_QUEUED: jobs of an open file that may be unfinished before
 	 * SUBMIT waits
 	 */
 	DRM_GLOSS_PARAM_JOBS_QUEUED,
@@ -98,7 +98,7 @@ enum drm_gloss_gem_kind {
  * range of board memory is free, or this open file would hold more than its share of it;
  * -ENOMEM; -EINTR.
  *
-  * An open file may hold at most share_percent, a parameter of the module, of the board memory
+ * An open file may hold at most share_percent, a parameter of the module, of the board memory
  * that other files leave; so one file can not have all of MEMORY_SIZE. Memory is charged to the
  * file that made the object until the object is gone: its handles are closed, and the jobs that
  * use it have ended. An object is one range and is never moved. So after many objects of
@@ -199,7 +199,7 @@ struct drm_gloss_status {
 /**
  * DRM_GLOSS_SUBMIT_EXPLICIT_SYNC - only in-syncs order the job
  *
-  * The job does not wait for what other jobs, or other drivers, still do with its objects, and
+ * The job does not wait for what other jobs, or other drivers, still do with its objects, and
  * they do not wait for it. This is for programs that order all their jobs by syncobjs. Such a
  * program has to put fences itself on the dma-bufs that it shares with others. The job waits
  * for the clearing of new board memory in any case.
@@ -215,13 +215,13 @@ struct drm_gloss_status {
  * Jobs of one open file and priority run in the order of their submission, each when its
  * in-syncs and, without DRM_GLOSS_SUBMIT_EXPLICIT_SYNC, the fences of its objects'
  * reservations have signalled. Open files take turns, a job each; those of a higher
-  * priority go first. A job that is refused has no effect. Each range must be inside its
+ * priority go first. A job that is refused has no effect. Each range must be inside its
  * host object.
  *
  * While DRM_GLOSS_PARAM_JOBS_QUEUED jobs of the file have not ended, SUBMIT waits for one of
  * them, or, if the file is O_NONBLOCK, fails with -EAGAIN.
  *
-  * The first job that uses a host object pins its pages and charges them to its open file. All
+ * The first job that uses a host object pins its pages and charges them to its open file. All
  * boards together pin at most pin_percent, a parameter of the module, of the machine's memory,
  * and a file at most its share of that, as of board memory; -ENOMEM: it would hold more. Pages
  * stay charged until the object is gone, or until the kernel needs them while no job uses it.
@@ -272,7 +272,7 @@ struct drm_gloss_submit {
 /**
  * struct drm_gloss_get_clocks - where the board's clocks went
  *
-  * These are sums over the jobs of this open file that have ended. A job is left out if the
+ * These are sums over the jobs of this open file that have ended. A job is left out if the
  * driver had not read the counters between its end and that of another file's job, or between
  * its end and a reset.
  * -EOPNOTSUPP: the board has no clock, as a model of one; -ENODEV: the board is gone.

@@ -41,7 +41,7 @@ int accel_usb_node_error(int err);
 int accel_usb_node_list(accel_device_list_fn found, void *data);
 
 /*
-  * Reads or writes the register at byte @offset. Must not be called from a callback of libusb. While
+ * Reads or writes the register at byte @offset. Must not be called from a callback of libusb. While
  * it waits, callbacks of other transfers may be called.
  * -ENODEV: the board is gone; -ENOMEM; -EIO: it did not answer, or not so.
  */
