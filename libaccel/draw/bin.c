@@ -184,7 +184,7 @@ uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)
 /* Where the target ends inside of a tile there is memory too, so that needs no scissor. */
 static uint32_t bin_tile_scissor(const struct accel_bin *bin, int x, int y)
 {
-	const struct accel_rectangle *visible = &bin->visible;
+	const struct accel_bounds *visible = &bin->visible;
 	int size = bin->tile_size;
 
 	return accel_bin_scissor(number_clamp(visible->x0 - x, 0, size), number_clamp(visible->y0 - y, 0, size),
@@ -194,7 +194,7 @@ static uint32_t bin_tile_scissor(const struct accel_bin *bin, int x, int y)
 }
 
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
-		     const struct accel_rectangle *visible)
+		     const struct accel_bounds *visible)
 {
 	gloss_depth_state_pack(&bin->state.depth_state, &(struct gloss_depth_state){
 		.func = (enum gloss_compare)state->depth_func,
@@ -224,7 +224,7 @@ static int bin_tile_record(struct accel_bin *bin, struct accel_tile *tile,
 
 /* Clears a tile that was drawn on already, by drawing. */
 static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
-		      const struct accel_clear *clear)
+		      const struct accel_tile_clear *clear)
 {
 	bool colour = clear->mask & ACCEL_CLEAR_COLOUR, depth = clear->mask & ACCEL_CLEAR_DEPTH;
 	uint32_t words[ACCEL_RECORD_WORDS], count;
@@ -241,7 +241,7 @@ static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
 	return bin_tile_record(bin, tile, &state, words, count);
 }
 
-int accel_bin_clear(struct accel_bin *bin, const struct accel_clear *clear)
+int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear)
 {
 	if (clear->mask == (ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH)) {
 		bin_forget_records(bin);

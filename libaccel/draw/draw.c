@@ -113,7 +113,7 @@ static bool draw_clear_valid(unsigned int mask, const float rgba[4], float depth
 
 int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4], float depth)
 {
-	struct accel_clear clear = { .mask = mask };
+	struct accel_tile_clear clear = { .mask = mask };
 	int err;
 
 	if (!draw_clear_valid(mask, rgba, depth)) {

@@ -47,7 +47,7 @@
 /* Samples end here, so that no second-order surface through them leaves s10.22. */
 #define ACCEL_COLOUR_MAX 1.99f
 
-struct accel_rectangle {
+struct accel_bounds {
 	int x0, y0, x1, y1;		/* pixels; x1 and y1 are outside */
 };
 
@@ -115,7 +115,7 @@ struct accel_patch {
 struct accel_window {
 	double scale[3], offset[3];	/* window = scale * ndc + offset */
 	double guard[4];		/* left, right, top, bottom, pixels */
-	struct accel_rectangle visible;	/* viewport, scissor and target */
+	struct accel_bounds visible;	/* viewport, scissor and target */
 };
 
 struct accel_transform {
@@ -300,7 +300,7 @@ int32_t accel_setup_at(const struct accel_line *line, int row, uint32_t *r);
 void accel_setup_rows(const struct accel_setup *setup, int first, int end,
 		      struct accel_row *row);
 /* false: no pixel of @visible is in the triangle. A large triangle is not looked at. */
-bool accel_setup_draws(const struct accel_setup *setup, const struct accel_rectangle *visible);
+bool accel_setup_draws(const struct accel_setup *setup, const struct accel_bounds *visible);
 
 /* ---- surface.c ---- */
 
@@ -310,7 +310,7 @@ struct accel_surface {
 };
 
 /* s28.12 at pixel (x, y) of the target. */
-struct accel_plane {
+struct accel_depth_plane {
 	int x, y;
 	int64_t z, dx, dy;
 	bool narrow;			/* rounded to, and fits, depth_compact */
@@ -324,7 +324,7 @@ struct accel_basis {
 
 struct accel_triangle {
 	struct accel_setup setup;
-	const struct accel_plane *plane;
+	const struct accel_depth_plane *plane;
 	int x, y;			/* pixel the surfaces hold at */
 	enum gloss_shading shading;
 	bool alpha_linear;
@@ -337,7 +337,7 @@ int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vert
 			   const struct accel_vertex *c);
 void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *const vertex[3]);
 /* @narrow: the triangle is, so that the plane may be rounded to depth_compact. */
-void accel_surface_plane(struct accel_plane *plane, const struct accel_basis *basis,
+void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_basis *basis,
 			 const struct accel_vertex *const vertex[3], bool narrow);
 /* Surfaces through the patch's samples: flat, linear or second order, as it needs. */
 void accel_surface_patch(struct accel_triangle *triangle, const struct accel_basis *basis,
@@ -391,7 +391,7 @@ struct accel_tile_state {
 };
 
 /* What is cleared before anything is drawn: of ACCEL_CLEAR_*, and the values. */
-struct accel_clear {
+struct accel_tile_clear {
 	unsigned int mask;
 	uint32_t colour, depth;
 };
@@ -402,7 +402,7 @@ struct accel_tile {
 	uint32_t words;			/* of all */
 	bool drawn;			/* has records; of another tile nothing below is set */
 	bool uses_colour, uses_depth, writes_depth;
-	struct accel_clear clear;
+	struct accel_tile_clear clear;
 	struct accel_tile_state first, now;	/* that its records begin, end with */
 };
 
@@ -412,9 +412,9 @@ struct accel_bin {
 	int columns, rows;		/* of tiles */
 	struct accel_tile *tile;	/* row by row */
 	int tiles_room;
-	struct accel_clear clear;
+	struct accel_tile_clear clear;
 	struct accel_tile_state state;	/* of what is drawn next; its scissor is per tile */
-	struct accel_rectangle visible;
+	struct accel_bounds visible;
 	struct accel_block *block, *block_now;
 	int block_used;			/* chunks of block_now */
 	uint64_t records;
@@ -427,7 +427,7 @@ void accel_bin_reset(struct accel_bin *bin);
 /* Sets the size of the target. */
 int accel_bin_begin(struct accel_bin *bin, int width, int height);
 /* After -ENOMEM the records of some tiles may be missing. */
-int accel_bin_clear(struct accel_bin *bin, const struct accel_clear *clear);
+int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear);
 int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle);
 /* The word of a scissor packet. */
 uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1);
@@ -436,7 +436,7 @@ uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now
 			   const struct accel_tile_state *state);
 /* What the triangles that follow are drawn with, and where. */
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
-		     const struct accel_rectangle *visible);
+		     const struct accel_bounds *visible);
 
 /* ---- frame.c ---- */
 

@@ -104,7 +104,7 @@ static int frame_tile_records(struct writer *writer, const struct accel_tile *ti
 /* A tile that nothing was drawn on is only cleared. */
 static int frame_tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
 {
-	const struct accel_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
+	const struct accel_tile_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
 	struct part colour = frame_part_of(clear->mask & ACCEL_CLEAR_COLOUR, clear->colour,
 				     tile->uses_colour, tile->uses_colour, offset);
 	struct part depth = frame_part_of(clear->mask & ACCEL_CLEAR_DEPTH, clear->depth,

@@ -68,7 +68,7 @@ static void geometry_intersect_range(int *low, int *high, int start, int size)
 }
 
 /* Whatever the numbers, the corners stay where the rectangle was, and in order. */
-static void geometry_intersect(struct accel_rectangle *rectangle, int x, int y, int width, int height)
+static void geometry_intersect(struct accel_bounds *rectangle, int x, int y, int width, int height)
 {
 	geometry_intersect_range(&rectangle->x0, &rectangle->x1, x, width);
 	geometry_intersect_range(&rectangle->y0, &rectangle->y1, y, height);
@@ -80,7 +80,7 @@ static void geometry_window_init(struct accel_window *window, const struct accel
 	double x = 0, y = 0, w = width, h = height;
 	int guard_top = (height - GUARD_HEIGHT) / 2;
 
-	window->visible = (struct accel_rectangle){ 0, 0, width, height };
+	window->visible = (struct accel_bounds){ 0, 0, width, height };
 	if (state->viewport.width >= 0) {
 		x = state->viewport.x;
 		y = state->viewport.y;

@@ -108,7 +108,7 @@ static uint32_t record_pack_depth_compact(uint32_t *words, int64_t z, int64_t dx
 	return GLOSS_DEPTH_COMPACT_WORDS;
 }
 
-static uint32_t record_pack_depth(uint32_t *words, const struct accel_plane *plane, bool compact, int x,
+static uint32_t record_pack_depth(uint32_t *words, const struct accel_depth_plane *plane, bool compact, int x,
 			   int y)
 {
 	int64_t z = plane->z + (x - plane->x) * plane->dx + (y - plane->y) * plane->dy;

@@ -175,7 +175,7 @@ void accel_setup_rows(const struct accel_setup *setup, int first, int end, struc
 	}
 }
 
-bool accel_setup_draws(const struct accel_setup *setup, const struct accel_rectangle *visible)
+bool accel_setup_draws(const struct accel_setup *setup, const struct accel_bounds *visible)
 {
 	int first = number_max(setup->first, visible->y0);
 	int end = number_min(setup->end, visible->y1);

@@ -10,7 +10,7 @@
 /* What all parts of a triangle share. */
 struct whole {
 	struct accel_pass *pass;
-	struct accel_plane plane;
+	struct accel_depth_plane plane;
 	int side;
 };
 

@@ -71,7 +71,7 @@ static uint32_t surface_fixed_colour(double value)
 	return (uint32_t)surface_fixed(value, GLOSS_COLOUR_FRACTION);
 }
 
-void accel_surface_plane(struct accel_plane *plane, const struct accel_basis *basis,
+void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_basis *basis,
 			 const struct accel_vertex *const vertex[3], bool narrow)
 {
 	double z = vertex[0]->z * ACCEL_DEPTH_MAX, du = vertex[1]->z * ACCEL_DEPTH_MAX - z;

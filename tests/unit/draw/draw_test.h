@@ -48,7 +48,7 @@ static inline bool edge_functions_inside(const struct accel_vertex *const vertex
 }
 
 /* A flat triangle that is ready for the bin; false: it crosses no row. */
-static inline bool triangle_ready(struct accel_triangle *triangle, struct accel_plane *plane,
+static inline bool triangle_ready(struct accel_triangle *triangle, struct accel_depth_plane *plane,
 				  const struct accel_vertex *const vertex[3])
 {
 	static const float white[4] = { 1, 1, 1, 1 };

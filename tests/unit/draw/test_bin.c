@@ -14,7 +14,7 @@ struct fixture {
 	struct accel_state *state;
 	struct accel_bin bin;
 	struct accel_draw_stats stats;
-	struct accel_rectangle all;
+	struct accel_bounds all;
 };
 
 static int setup(void **state)
@@ -28,7 +28,7 @@ static int setup(void **state)
 	assert_int_equal(accel_state_new(&f.state), 0);
 	accel_bin_init(&f.bin, 64);
 	assert_int_equal(accel_bin_begin(&f.bin, WIDTH, HEIGHT), 0);
-	f.all = (struct accel_rectangle){ 0, 0, WIDTH, HEIGHT };
+	f.all = (struct accel_bounds){ 0, 0, WIDTH, HEIGHT };
 	accel_bin_state(&f.bin, f.state, &f.all);
 	*state = &f;
 	return 0;
@@ -54,7 +54,7 @@ static void draw_at(struct fixture *f, int x, int y, int side)
 	const struct accel_vertex c = vertex_at(16 * x, 16 * (y + side));
 	const struct accel_vertex *const vertex[3] = { &a, &b, &c };
 	struct accel_triangle triangle;
-	struct accel_plane plane;
+	struct accel_depth_plane plane;
 
 	assert_true(triangle_ready(&triangle, &plane, vertex));
 	assert_int_equal(accel_bin_triangle(&f->bin, &triangle), 0);
@@ -156,7 +156,7 @@ static struct gloss_tile_end end_of(int tile)
 
 static void clear(struct fixture *f, unsigned int mask, uint32_t colour, uint32_t depth)
 {
-	const struct accel_clear values = { mask, colour, depth };
+	const struct accel_tile_clear values = { mask, colour, depth };
 
 	assert_int_equal(accel_bin_clear(&f->bin, &values), 0);
 }
@@ -269,7 +269,7 @@ static void a_scissor_is_sent_relative_to_its_tile(void **state)
 	struct fixture *f = *state;
 	struct gloss_scissor scissor;
 
-	f->all = (struct accel_rectangle){ 5, 6, 75, HEIGHT };
+	f->all = (struct accel_bounds){ 5, 6, 75, HEIGHT };
 	accel_bin_state(&f->bin, f->state, &f->all);
 	draw_at(f, 0, 0, 90);
 	draw_at(f, 130, 0, 20);
@@ -365,7 +365,7 @@ static void many_records_keep_their_order(void **state)
 		const struct accel_vertex c = vertex_at(0, 160);
 		const struct accel_vertex *const vertex[3] = { &a, &b, &c };
 		struct accel_triangle triangle;
-		struct accel_plane plane;
+		struct accel_depth_plane plane;
 
 		assert_true(triangle_ready(&triangle, &plane, vertex));
 		triangle.constant[3] = (uint8_t)i;

@@ -61,7 +61,7 @@ static int setup(void **state)
 	assert_int_equal(accel_state_new(&f.state), 0);
 	accel_bin_init(&f.bin, 64);
 	f.pass = (struct accel_pass){ .state = f.state, .bin = &f.bin, .stats = &f.stats };
-	f.pass.transform.window.visible = (struct accel_rectangle){ 0, 0, WIDTH, HEIGHT };
+	f.pass.transform.window.visible = (struct accel_bounds){ 0, 0, WIDTH, HEIGHT };
 	*state = &f;
 	return 0;
 }

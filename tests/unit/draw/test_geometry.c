@@ -83,7 +83,7 @@ static void vertices_are_snapped_to_the_nearest_sixteenth(void **state)
 static void what_is_visible_is_viewport_scissor_and_target_together(void **state)
 {
 	struct fixture *f = *state;
-	const struct accel_rectangle *visible = &f->transform.window.visible;
+	const struct accel_bounds *visible = &f->transform.window.visible;
 
 	accel_state_set_viewport(f->state, -5, 10, 1000, 50);
 	accel_state_set_scissor(f->state, 20, 0, 30, 1000);
@@ -104,7 +104,7 @@ static void whatever_the_numbers_what_is_visible_is_in_the_target_and_in_order(v
 	static const int end[] = { INT32_MIN, INT32_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT32_MAX - 1,
 				   INT32_MAX };
 	struct fixture *f = *state;
-	const struct accel_rectangle *visible = &f->transform.window.visible;
+	const struct accel_bounds *visible = &f->transform.window.visible;
 	uint64_t seed = test_seed();
 
 	for (int n = 0; n < 20000; n++) {

@@ -16,7 +16,7 @@ static void bin_open(struct accel_bin *bin, int tile_size)
 {
 	accel_bin_init(bin, tile_size);
 	assert_int_equal(accel_bin_begin(bin, SIDE, SIDE), 0);
-	bin->visible = (struct accel_rectangle){ 0, 0, SIDE, SIDE };
+	bin->visible = (struct accel_bounds){ 0, 0, SIDE, SIDE };
 }
 
 static void fail_pixel(const struct accel_vertex *const vertex[3], int x, int y)
@@ -53,7 +53,7 @@ static void check_records(struct accel_bin *bin, const struct accel_vertex *cons
 {
 	struct coverage coverage = { SIDE, SIDE, counts, 0, 0 };
 	struct accel_triangle triangle;
-	struct accel_plane plane;
+	struct accel_depth_plane plane;
 	struct box box = box_of(vertex);
 	long inside = 0;
 
@@ -218,7 +218,7 @@ static void a_fan_covers_each_pixel_once(void **state)
 			const struct accel_vertex *const vertex[3] = { &centre, &rim[i],
 								       &rim[(i + 1) % 16] };
 			struct accel_triangle triangle;
-			struct accel_plane plane;
+			struct accel_depth_plane plane;
 
 			if (accel_surface_area(vertex[0], vertex[1], vertex[2]) &&
 			    triangle_ready(&triangle, &plane, vertex))

@@ -18,7 +18,7 @@ struct fixture {
 	struct accel_edge edge[3];
 	struct accel_patch patch;
 	struct accel_triangle triangle;
-	struct accel_plane plane;
+	struct accel_depth_plane plane;
 	struct accel_basis basis;
 	struct accel_bin bin[2];
 };
@@ -35,7 +35,7 @@ static int setup(void **state)
 	}
 	for (int i = 0; i < 2; i++) {
 		accel_bin_init(&f.bin[i], i ? 64 : 32);
-		f.bin[i].visible = (struct accel_rectangle){ 0, 0, SIDE, SIDE };
+		f.bin[i].visible = (struct accel_bounds){ 0, 0, SIDE, SIDE };
 	}
 	*state = &f;
 	return 0;
