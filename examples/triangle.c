@@ -6,16 +6,10 @@
 static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 }, { 0, 0.9f, 0 } };
 static const float normal[3][3] = { { -0.5f, -0.4f, 1 }, { 0.5f, -0.4f, 1 }, { 0, 0.5f, 1 } };
 static const struct accel_mesh mesh = { .vertices = 3, .position = corner, .normal = normal };
-static const struct accel_material gold = { .diffuse = { 0.6f, 0.4f, 0.1f, 1 },
-					    .specular = { 0.6f, 0.6f, 0.5f, 1 }, .shininess = 30 };
-static const struct accel_light lamp = { .enabled = true, .position = { 0, 0, 1, 0 },
-					 .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
-					 .spot_cutoff = 180 };
-
-static void say(void *data, const char *message)
-{
-	fprintf(stderr, "%s: %s\n", (const char *)data, message);
-}
+static const struct accel_material gold = ACCEL_MATERIAL(.diffuse = { 0.6f, 0.4f, 0.1f, 1 },
+	.specular = { 0.6f, 0.6f, 0.5f, 1 }, .shininess = 30);
+static const struct accel_light lamp = ACCEL_LIGHT(.enabled = true, .position = { 0, 0, 1, 0 },
+	.diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 });
 
 int main(int argc, char **argv)
 {
@@ -26,14 +20,15 @@ int main(int argc, char **argv)
 	struct accel_state *state;
 	struct accel_draw *draw;
 
-	if (accel_device_new(name, say, argv[0], &device) || accel_draw_new(device, &draw) ||
-	    accel_target_new(device, 256, 256, &target) || accel_state_new(&state) ||
-	    accel_state_set_material(state, &gold, NULL) || accel_state_set_light(state, 0, &lamp))
+	if (accel_device_new(name, accel_message_print, NULL, &device) ||
+	    accel_draw_new(device, &draw) || accel_target_new(device, 256, 256, &target) ||
+	    accel_state_new(&state) || accel_state_set_material(state, &gold, NULL) ||
+	    accel_state_set_light(state, 0, &lamp))
 		return 1;
 	accel_state_set_lighting(state, true);
 	accel_state_set_local_viewer(state, false);
 	if (accel_draw_mesh(draw, target, state, &mesh) || accel_draw_submit(draw, NULL) ||
-	    accel_target_read_colour(target, pixel, 256 * 4))
+	    accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixel, 256 * 4))
 		return 1;
 	printf("P6 256 256 255\n");
 	for (int i = 0; i < 256 * 256; i++)

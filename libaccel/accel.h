@@ -42,6 +42,14 @@
  * GLOSS_SIM_PATH=FOLDER is where "sim:" looks for its plugin first. A program that runs
  * with more rights than its user ignores both.
  *
+ * Structs. Those that begin with a member @size grow in later versions. A program sets it
+ * to the size that it was compiled with, as ACCEL_LIGHT() and its like do. Members that are
+ * not named, or came later than the program, are zero, which is their default. -E2BIG: the
+ * program is newer than the library, and members that the library does not know are not
+ * zero. -EINVAL: @size is not set. Structs that the library fills are followed by their size
+ * in the call: it writes no more bytes than that, and zero to those that it does not know.
+ * All other structs stay as they are.
+ *
  * Ownership. Every _new has its _free, which takes NULL. An object keeps alive what
  * it was made from and what it refers to: a device that is freed before its buffers
  * goes with the last of them, and a buffer that a stream or a running job names goes
@@ -62,6 +70,24 @@
 extern "C" {
 #endif
 
+/* The version that a program is compiled with; accel_version() is that of the library it finds. */
+#define ACCEL_VERSION_MAJOR 0
+#define ACCEL_VERSION_MINOR 1
+#define ACCEL_VERSION_PATCH 0
+
+/*
+ * Begins the initialiser of a struct with a size. In C, and in C++ from C++20 on, members follow:
+ *
+ *	struct accel_light lamp = ACCEL_LIGHT(.enabled = true, .diffuse = { 1, 1, 1, 1 });
+ *
+ * In older C++ it is ACCEL_LIGHT(), and members are set after that.
+ */
+#if defined(__cplusplus) && __cplusplus < 202002L
+#define ACCEL_SIZED(type, ...) { sizeof(struct type), __VA_ARGS__ }
+#else
+#define ACCEL_SIZED(type, ...) { .size = sizeof(struct type), __VA_ARGS__ }
+#endif
+
 #define ACCEL_LIGHTS 8
 #define ACCEL_TARGET_SIZE_MAX 2048
 
@@ -72,6 +98,9 @@ struct accel_state;
 struct accel_draw;
 struct accel_stream;
 struct accel_fence;
+
+/* "0.1.0": of the library that runs. The string is the library's, for ever. */
+const char *accel_version(void);
 
 /* ---- device ---- */
 
@@ -87,6 +116,12 @@ struct accel_device_info {
  * thread of the failing call, so perhaps from several at once; it may call the library.
  */
 typedef void (*accel_message_fn)(void *data, const char *message);
+
+/*
+ * A ready accel_message_fn: prints @line and a newline to @file, which is a FILE * of stdio.h,
+ * or NULL for stderr. Any number of threads may call it at once, and lines do not mix.
+ */
+void accel_message_print(void *file, const char *line);
 
 /*
  * Receives one device: the name that accel_device_new takes for it, and a line for people
@@ -146,7 +181,8 @@ int accel_device_list(accel_device_list_fn found, void *data);
 int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **device);
 void accel_device_free(struct accel_device *device);
-void accel_device_info(struct accel_device *device, struct accel_device_info *info);
+/* Fills @info, of which the caller has @size bytes: sizeof(*info). */
+void accel_device_info(struct accel_device *device, struct accel_device_info *info, size_t size);
 
 /* Where the board's clocks went, summed over all jobs that have ended since the device was
  * opened. */
@@ -159,9 +195,13 @@ struct accel_device_clocks {
 	uint64_t stall_response;	/* the response waited for the host */
 };
 
-/* -ENOTSUP: the board, such as "model:", does not count clocks. -EIO: it did not answer.
- * -ENODEV. */
-int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks);
+/*
+ * Fills @clocks, of which the caller has @size bytes: sizeof(*clocks). An error leaves them alone.
+ * -ENOTSUP: the board, such as "model:", does not count clocks. -EIO: it did not answer.
+ * -ENODEV.
+ */
+int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks,
+			size_t size);
 
 /* ---- buffer: a range of board memory ---- */
 
@@ -194,17 +234,29 @@ int accel_target_new(struct accel_device *device, int width, int height,
 		     struct accel_target **target);
 void accel_target_free(struct accel_target *target);
 
+/* What a target has for each pixel, 4 bytes of each. */
+enum accel_plane {
+	ACCEL_PLANE_COLOUR,		/* red, green, blue, alpha: a byte each, in this order */
+	ACCEL_PLANE_DEPTH		/* a uint32_t: depth in bits 23:0, 0xffffff is 1 */
+};
+
+/* Pixels from the top left corner of a target. */
+struct accel_rectangle {
+	int x, y, width, height;
+};
+
 /*
- * Reads the whole target into @pixels, row by row from the top, after all jobs that
- * were submitted before. @pitch is the bytes from a row to the next, a multiple of 4
- * and at least 4*width; bytes between rows are left alone. A colour pixel is the bytes
- * red, green, blue, alpha. A depth pixel is a uint32_t with depth in bits 23:0; the
- * others are zero, unless a stream of your own wrote stencil there. After an error
- * other than -EINVAL some rows may have been read.
- * -EINVAL: @pitch is none. -EIO, -ENODEV.
+ * Reads the pixels of @plane that are in @part, or all if that is NULL, after all jobs that
+ * were submitted before. Rows come from the top into @pixels. @pitch is the bytes from a row
+ * to the next, a multiple of 4 and at least 4 for each pixel of a row; bytes between rows are
+ * left alone. Only the pixels in @part are fetched from the board, and none if it has none.
+ * Bits 31:24 of a depth are zero, unless a stream of your own wrote stencil there. After an
+ * error other than -EINVAL some rows may have been read.
+ * -EINVAL: there is no such @plane; @part is not within the target; @pitch is none. -EIO,
+ * -ENODEV.
  */
-int accel_target_read_colour(struct accel_target *target, void *pixels, size_t pitch);
-int accel_target_read_depth(struct accel_target *target, void *pixels, size_t pitch);
+int accel_target_read(struct accel_target *target, enum accel_plane plane,
+		      const struct accel_rectangle *part, void *pixels, size_t pitch);
 
 /* ---- state: everything a draw depends on but the mesh ---- */
 
@@ -222,28 +274,36 @@ enum accel_compare {
 
 enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
 
-/* Reflectances, RGBA, and the specular exponent, 0 to 1000. The alpha of a lit pixel is
- * diffuse[3]. */
+/*
+ * Reflectances, RGBA, and the specular exponent. The alpha of a lit pixel is diffuse[3]. With all
+ * members zero a surface is black and its alpha 0.
+ */
 struct accel_material {
+	size_t size;			/* of this struct, bytes: set by ACCEL_MATERIAL() */
 	float emission[4], ambient[4], diffuse[4], specular[4];
-	float shininess;
+	float shininess;		/* the specular exponent, 0 to 1000 */
 };
+#define ACCEL_MATERIAL(...) ACCEL_SIZED(accel_material, __VA_ARGS__)
 
 /*
- * A light, in eye space. With position[3] = 0 it is directional and position is the
- * direction towards it; else it is a point, or a spot. A spot has a spot_cutoff of 0 to
- * 90 degrees, all other lights have 180. At the distance d, 1/(c + l*d + q*d^2) of a
- * point's or a spot's light arrives.
+ * A light, in eye space. A plain light needs no more than @enabled, @position and its colours.
+ * With position[3] = 0 it is directional and position is the direction towards it; else it is
+ * a point, at position / position[3]. A point is as bright at any distance; if one of
+ * @attenuation is not 0, then 1/(c + l*d + q*d^2) of its light arrives at the distance d.
+ * A point with a spot_cutoff is a spot: it shines so many degrees around spot_direction and no
+ * farther.
  */
 struct accel_light {
+	size_t size;			/* of this struct, bytes: set by ACCEL_LIGHT() */
 	bool enabled;
 	float position[4];
 	float ambient[4], diffuse[4], specular[4];
-	float attenuation[3];		/* c, l, q */
-	float spot_direction[3];
-	float spot_exponent;		/* 0 to 128 */
-	float spot_cutoff;
+	float attenuation[3];		/* c, l, q, none below 0; all 0: as 1, 0, 0 */
+	float spot_direction[3];	/* all 0: as 0, 0, -1 */
+	float spot_exponent;		/* how fast it gets less bright, 0 to 128 */
+	float spot_cutoff;		/* degrees, above 0 to 90; 0, or 180 as in OpenGL: no spot */
 };
+#define ACCEL_LIGHT(...) ACCEL_SIZED(accel_light, __VA_ARGS__)
 
 /*
  * A new state has the defaults that the functions below name, and OpenGL's defaults for
@@ -301,13 +361,13 @@ void accel_state_set_two_sided(struct accel_state *state, bool enabled);
 void accel_state_set_local_viewer(struct accel_state *state, bool enabled);
 /* The light that comes from everywhere. -EINVAL: a value is not finite. */
 int accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
-/* @back may be NULL and is then the same as @front. -EINVAL: a shininess is outside 0..1000, or a
- * value is not finite. */
+/* @back may be NULL and is then the same as @front. -EINVAL: a shininess is outside 0..1000, a
+ * value is not finite, or a size is not set. -E2BIG: a struct has members that are not known. */
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
 			     const struct accel_material *back);
 /* -EINVAL: @index is not in 0..ACCEL_LIGHTS-1; a value is not finite; an attenuation of a point
- * or spot is negative, or all three are zero (which OpenGL accepts, to divide by zero); a spot's
- * exponent or cutoff is out of range. */
+ * is negative; a spot's exponent or cutoff is out of range; the size is not set. -E2BIG: @light
+ * has members that are not known. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
 
@@ -378,8 +438,11 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
 int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh);
 
-/* The counts so far. Stream words, tiles and records are known after the submit. */
-void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats);
+/*
+ * Fills @stats, of which the caller has @size bytes: sizeof(*stats). The counts so far; stream
+ * words, tiles and records are known after the submit.
+ */
+void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats, size_t size);
 
 /*
  * Sends the frame to the board and begins the next. On success *@fence is the caller's to wait
@@ -444,15 +507,16 @@ struct accel_fence_status {
 /*
  * Waits until a job has ended: @timeout_ns nanoseconds at most, for ever if that is
  * negative, not at all if it is 0. If the fence is of several jobs it waits for all, and
- * returns what the first that failed would. @status may be NULL; all results but
- * -ETIMEDOUT fill it. A wait after the end returns the same again.
+ * returns what the first that failed would. A wait after the end returns the same again.
+ * @status, of which the caller has @size bytes, may be NULL; all results but -ETIMEDOUT
+ * fill it.
  * 0: the job was done. -EIO: the job ended with a fault, which is in @status; if there is
  * none, the board failed and was reset. -ETIMEDOUT: the job has not ended. -ETIME: it ran
  * longer than a job may ("drm:" only) and may have done a part. -ENODEV: the board is
  * gone. -ENOMEM: there was no memory to run the whole job.
  */
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
-		     struct accel_fence_status *status);
+		     struct accel_fence_status *status, size_t size);
 /* Waits for the job first; so the response buffer may be freed after it. */
 void accel_fence_free(struct accel_fence *fence);
 

@@ -64,6 +64,16 @@ struct accel_state {
 	enum accel_shading shading;
 };
 
+/* sized.c */
+/*
+ * A struct that a program gives, whose first member is its size, as the library knows it: @known
+ * bytes, with that size. -EINVAL: it has no size. -E2BIG: more in it is set than is known.
+ */
+int accel_sized_in(void *own, size_t known, const void *given);
+/* As much of a struct of the library, of @known bytes, as the program has room for; the rest of
+ * its @size bytes is zero. */
+void accel_sized_out(void *given, size_t size, const void *own, size_t known);
+
 /* device.c */
 struct accel_device *accel_device_ref(struct accel_device *device);
 void accel_device_unref(struct accel_device *device);

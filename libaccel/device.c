@@ -264,18 +264,22 @@ void accel_device_free(struct accel_device *device)
 
 /* ---- questions ---- */
 
-void accel_device_info(struct accel_device *device, struct accel_device_info *info)
+void accel_device_info(struct accel_device *device, struct accel_device_info *info, size_t size)
 {
-	*info = (struct accel_device_info){
+	struct accel_device_info known = {
 		.tile_size = device->info.tile_size,
 		.pixels_per_clock = device->info.pixels_per_clock,
 		.memory_size = device->info.memory_size,
 	};
-	memcpy(info->name, device->info.name, sizeof(info->name));
+
+	memcpy(known.name, device->info.name, sizeof(known.name));
+	accel_sized_out(info, size, &known, sizeof(known));
 }
 
-int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks)
+int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks,
+			size_t size)
 {
+	struct accel_device_clocks known;
 	int err, held;
 
 	if (!device->ops->clocks)
@@ -283,7 +287,9 @@ int accel_device_clocks(struct accel_device *device, struct accel_device_clocks 
 	if (accel_device_is_inherited(device))
 		return -ENODEV;
 	held = accel_thread_hold_cancel();
-	err = device->ops->clocks(device->state, clocks);
+	err = device->ops->clocks(device->state, &known);
 	accel_thread_allow_cancel(held);
+	if (!err)
+		accel_sized_out(clocks, size, &known, sizeof(known));
 	return err;
 }

@@ -139,7 +139,7 @@ static int fence_wait_first(struct accel_fence *fence, int64_t timeout_ns)
 }
 
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
-		     struct accel_fence_status *status)
+		     struct accel_fence_status *status, size_t size)
 {
 	int64_t start = timeout_ns > 0 ? accel_thread_now_ns() : 0, left = timeout_ns;
 	int err;
@@ -151,7 +151,7 @@ int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 		left = fence_left(timeout_ns, start);
 	}
 	if (status)
-		*status = fence->status;
+		accel_sized_out(status, size, &fence->status, sizeof(fence->status));
 	return fence->result;
 }
 
@@ -168,7 +168,7 @@ void accel_fence_free(struct accel_fence *fence)
 {
 	if (!fence)
 		return;
-	if (accel_fence_wait(fence, -1, NULL) == -ENODEV)
+	if (accel_fence_wait(fence, -1, NULL, 0) == -ENODEV)
 		fence_forget(fence);
 	accel_device_unref(fence->device);
 	free(fence->spare);
@@ -183,7 +183,7 @@ int accel_fence_give(struct accel_fence *fence, struct accel_fence **out)
 		*out = fence;
 		return 0;
 	}
-	err = accel_fence_wait(fence, -1, NULL);
+	err = accel_fence_wait(fence, -1, NULL, 0);
 	accel_fence_free(fence);
 	return err;
 }

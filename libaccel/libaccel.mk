@@ -21,6 +21,7 @@ USB_SOURCES := transport/usb/none.c
 endif
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c dump.c \
+	sized.c version.c message.c \
 	fence.c $(DRM_SOURCES) $(USB_SOURCES) $(addprefix transport/, transport.c model.c sim.c \
 	engine.c job_table.c pool.c range.c option.c thread.c)) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)

@@ -18,22 +18,15 @@ static const float identity[16] = {
 	0, 0, 0, 1,
 };
 
-static const struct accel_material default_material = {
-	.emission = { 0, 0, 0, 1 },
-	.ambient = { 0.2f, 0.2f, 0.2f, 1 },
-	.diffuse = { 0.8f, 0.8f, 0.8f, 1 },
-	.specular = { 0, 0, 0, 1 },
-};
+static const struct accel_material default_material =
+	ACCEL_MATERIAL(.emission = { 0, 0, 0, 1 }, .ambient = { 0.2f, 0.2f, 0.2f, 1 },
+		       .diffuse = { 0.8f, 0.8f, 0.8f, 1 }, .specular = { 0, 0, 0, 1 });
 
-static const struct accel_light default_light = {
-	.position = { 0, 0, 1, 0 },
-	.ambient = { 0, 0, 0, 1 },
-	.diffuse = { 0, 0, 0, 1 },
-	.specular = { 0, 0, 0, 1 },
-	.attenuation = { 1, 0, 0 },
-	.spot_direction = { 0, 0, -1 },
-	.spot_cutoff = SPOT_NONE,
-};
+static const struct accel_light default_light =
+	ACCEL_LIGHT(.position = { 0, 0, 1, 0 }, .ambient = { 0, 0, 0, 1 },
+		    .diffuse = { 0, 0, 0, 1 }, .specular = { 0, 0, 0, 1 },
+		    .attenuation = { 1, 0, 0 }, .spot_direction = { 0, 0, -1 },
+		    .spot_cutoff = SPOT_NONE);
 
 static const float white[4] = { 1, 1, 1, 1 };
 
@@ -174,12 +167,16 @@ static bool state_material_valid(const struct accel_material *material)
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
 			     const struct accel_material *back)
 {
-	if (!back)
-		back = front;
-	if (!state_material_valid(front) || !state_material_valid(back))
+	struct accel_material material[2];
+	int err = accel_sized_in(&material[0], sizeof(material[0]), front);
+
+	if (!err)
+		err = accel_sized_in(&material[1], sizeof(material[1]), back ? back : front);
+	if (err)
+		return err;
+	if (!state_material_valid(&material[0]) || !state_material_valid(&material[1]))
 		return -EINVAL;
-	state->material[0] = *front;
-	state->material[1] = *back;
+	memcpy(state->material, material, sizeof(material));
 	return 0;
 }
 
@@ -190,8 +187,7 @@ static bool state_attenuation_valid(const struct accel_light *light)
 
 	if (!state_finite(factor, 3))
 		return false;
-	return light->position[3] == 0 || (factor[0] >= 0 && factor[1] >= 0 && factor[2] >= 0 &&
-					   (factor[0] > 0 || factor[1] > 0 || factor[2] > 0));
+	return light->position[3] == 0 || (factor[0] >= 0 && factor[1] >= 0 && factor[2] >= 0);
 }
 
 static bool state_spot_valid(const struct accel_light *light)
@@ -202,15 +198,38 @@ static bool state_spot_valid(const struct accel_light *light)
 		light->spot_cutoff == SPOT_NONE);
 }
 
-int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light)
+static bool state_zero(const float value[3])
 {
+	return value[0] == 0 && value[1] == 0 && value[2] == 0;
+}
+
+/* What a plain light leaves at zero, as OpenGL has it. */
+static void state_light_complete(struct accel_light *light)
+{
+	if (state_zero(light->attenuation))
+		light->attenuation[0] = 1;
+	if (light->spot_cutoff == 0)
+		light->spot_cutoff = SPOT_NONE;
+	if (state_zero(light->spot_direction))
+		light->spot_direction[2] = -1;
+}
+
+int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *given)
+{
+	struct accel_light light;
+	int err;
+
 	if (index < 0 || index >= ACCEL_LIGHTS)
 		return -EINVAL;
-	if (!state_finite(light->position, 4) || !state_finite(light->ambient, 4) ||
-	    !state_finite(light->diffuse, 4) || !state_finite(light->specular, 4) ||
-	    !state_attenuation_valid(light) || !state_spot_valid(light))
+	err = accel_sized_in(&light, sizeof(light), given);
+	if (err)
+		return err;
+	if (!state_finite(light.position, 4) || !state_finite(light.ambient, 4) ||
+	    !state_finite(light.diffuse, 4) || !state_finite(light.specular, 4) ||
+	    !state_attenuation_valid(&light) || !state_spot_valid(&light))
 		return -EINVAL;
-	state->light[index] = *light;
+	state_light_complete(&light);
+	state->light[index] = light;
 	return 0;
 }
 

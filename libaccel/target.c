@@ -64,27 +64,47 @@ void accel_target_free(struct accel_target *target)
 	free(target);
 }
 
-static int target_read(struct accel_target *target, struct accel_buffer *buffer, uint8_t *pixels,
-		       size_t pitch)
+static int target_check(const struct accel_target *target, enum accel_plane plane,
+			const struct accel_rectangle *part, size_t pitch)
 {
-	uint32_t width = (uint32_t)target->width, height = (uint32_t)target->height;
+	if (plane != ACCEL_PLANE_COLOUR && plane != ACCEL_PLANE_DEPTH) {
+		accel_device_message(target->device, "a target has no plane %u", plane);
+		return -EINVAL;
+	}
+	if (part->x < 0 || part->x > target->width || part->y < 0 || part->y > target->height ||
+	    part->width < 0 || part->width > target->width - part->x ||
+	    part->height < 0 || part->height > target->height - part->y) {
+		accel_device_message(target->device, "%d x %d pixels at %d, %d of a target of "
+				     "%d x %d", part->width, part->height, part->x, part->y,
+				     target->width, target->height);
+		return -EINVAL;
+	}
+	if (pitch < (size_t)part->width * 4 || pitch % 4) {
+		accel_device_message(target->device, "a pitch of %zu bytes for rows of %d pixels",
+				     pitch, part->width);
+		return -EINVAL;
+	}
+	return 0;
+}
+
+/* Reads rows that have pixels, as many at a time as one job does. */
+static int target_read_part(struct accel_target *target, struct accel_buffer *buffer,
+			    const struct accel_rectangle *part, uint8_t *pixels, size_t pitch)
+{
+	uint32_t width = (uint32_t)part->width, height = (uint32_t)part->height;
 	uint32_t step = READ_WORDS / width < height ? READ_WORDS / width : height;
+	uint64_t offset = (uint64_t)part->y * target->pitch + (uint64_t)part->x * 4;
 	uint32_t *words;
 	int err = 0;
 
-	if (pitch < (size_t)width * 4 || pitch % 4) {
-		accel_device_message(target->device, "a pitch of %zu bytes for rows of %u pixels",
-				     pitch, width);
-		return -EINVAL;
-	}
 	words = malloc((size_t)width * step * sizeof(*words));
 	if (!words)
 		return -ENOMEM;
 	for (uint32_t y = 0; y < height && !err; y += step) {
 		uint32_t rows = height - y < step ? height - y : step;
 
-		err = accel_buffer_read_rows(buffer, (uint64_t)y * target->pitch, target->pitch,
-					     width, rows, words);
+		err = accel_buffer_read_rows(buffer, offset + (uint64_t)y * target->pitch,
+					     target->pitch, width, rows, words);
 		for (uint32_t row = 0; row < rows && !err; row++)
 			memcpy(pixels + (y + row) * pitch, words + (size_t)row * width,
 			       (size_t)width * 4);
@@ -93,12 +113,18 @@ static int target_read(struct accel_target *target, struct accel_buffer *buffer,
 	return err;
 }
 
-int accel_target_read_colour(struct accel_target *target, void *pixels, size_t pitch)
+int accel_target_read(struct accel_target *target, enum accel_plane plane,
+		      const struct accel_rectangle *part, void *pixels, size_t pitch)
 {
-	return target_read(target, target->colour, pixels, pitch);
-}
+	const struct accel_rectangle all = { 0, 0, target->width, target->height };
+	int err;
 
-int accel_target_read_depth(struct accel_target *target, void *pixels, size_t pitch)
-{
-	return target_read(target, target->depth, pixels, pitch);
+	if (!part)
+		part = &all;
+	err = target_check(target, plane, part, pitch);
+	if (err || !part->width || !part->height)
+		return err;
+	return target_read_part(target,
+				plane == ACCEL_PLANE_COLOUR ? target->colour : target->depth,
+				part, pixels, pitch);
 }

@@ -215,9 +215,9 @@ int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 	return err;
 }
 
-void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats)
+void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats, size_t size)
 {
-	*stats = draw->stats;
+	accel_sized_out(stats, size, &draw->stats, sizeof(draw->stats));
 }
 
 int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
@@ -244,7 +244,7 @@ int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
 		*out = fence;
 		return 0;
 	}
-	err = accel_fence_wait(fence, -1, NULL);
+	err = accel_fence_wait(fence, -1, NULL, 0);
 	accel_fence_free(fence);
 	return err;
 }

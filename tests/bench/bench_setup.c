@@ -58,7 +58,7 @@ static double draw(struct bench *bench, const struct accel_mesh *mesh,
 	need(accel_draw_mesh(bench->draw, bench->target, bench->state, mesh), "accel_draw_mesh");
 	need(accel_draw_submit(bench->draw, &fence), "accel_draw_submit");
 	time = thread_time() - start;
-	accel_draw_stats(bench->draw, stats);
+	accel_draw_stats(bench->draw, stats, sizeof(*stats));
 	accel_fence_free(fence);
 	return time;
 }

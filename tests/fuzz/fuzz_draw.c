@@ -217,7 +217,7 @@ static void set_matrices(void)
 
 static void set_light(void)
 {
-	struct accel_light light = { .enabled = !one_in(5) };
+	struct accel_light light = ACCEL_LIGHT(.enabled = !one_in(5));
 
 	any_floats(light.position, 4);
 	if (one_in(2))
@@ -341,11 +341,11 @@ static void submit(const struct board *board)
 	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_submit", err);
 	if (err)
 		return;
-	err = accel_fence_wait(fence, -1, &status);
+	err = accel_fence_wait(fence, -1, &status, sizeof(status));
 	need(!err, "a frame ended", err);
 	need(!status.fault, "a frame ended with fault", (int)status.fault);
 	accel_fence_free(fence);
-	accel_draw_stats(board->draw, &stats);
+	accel_draw_stats(board->draw, &stats, sizeof(stats));
 	need(stats.triangles_in >= stats.culled + stats.clipped, "triangles counted",
 	     (int)stats.culled);
 	drawn += stats.records;

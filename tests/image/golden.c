@@ -252,8 +252,9 @@ static void render(struct stage *stage, int number, struct picture *picture)
 			      stage->scene.background, 1), "accel_draw_clear");
 	scenes[number].draw(stage);
 	need(accel_draw_submit(stage->draw, NULL), "accel_draw_submit");
-	need(accel_target_read_colour(stage->target, picture->pixel, WIDTH * sizeof(uint32_t)),
-	     "accel_target_read_colour");
+	need(accel_target_read(stage->target, ACCEL_PLANE_COLOUR, NULL, picture->pixel,
+			       WIDTH * sizeof(uint32_t)),
+	     "accel_target_read");
 	accel_state_free(stage->state);
 }
 

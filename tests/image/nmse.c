@@ -86,8 +86,8 @@ static void add_method(struct bench *bench, int method, struct result *result)
 	size_t pitch = SIZE * sizeof(uint32_t);
 
 	if (scene_draw(&bench->scene, methods[method], bench->draw, bench->target, &stats) ||
-	    accel_target_read_colour(bench->target, bench->colour, pitch) ||
-	    accel_target_read_depth(bench->target, bench->depth, pitch))
+	    accel_target_read(bench->target, ACCEL_PLANE_COLOUR, NULL, bench->colour, pitch) ||
+	    accel_target_read(bench->target, ACCEL_PLANE_DEPTH, NULL, bench->depth, pitch))
 		die("drawing failed");
 	quality_add(&result->quality[method], &bench->reference, bench->colour, bench->depth);
 	result->drawn[method] += stats.flat + stats.linear + stats.second_order;

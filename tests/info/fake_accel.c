@@ -55,8 +55,9 @@ void accel_device_free(struct accel_device *device)
 	(void)device;
 }
 
-void accel_device_info(struct accel_device *device, struct accel_device_info *info)
+void accel_device_info(struct accel_device *device, struct accel_device_info *info, size_t size)
 {
+	(void)size;
 	*info = (struct accel_device_info){
 		.name = "board of a test",
 		.tile_size = 32,
@@ -67,8 +68,10 @@ void accel_device_info(struct accel_device *device, struct accel_device_info *in
 		snprintf(info->name, sizeof(info->name), "%s", EVIL);
 }
 
-int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks)
+int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks,
+			size_t size)
 {
+	(void)size;
 	if (!device->counts)
 		return -ENOTSUP;
 	*clocks = (struct accel_device_clocks){ 1ull << 40, 2, 3, 4, 5, 6 };

@@ -169,9 +169,9 @@ static int live_with_target(struct accel_device *device)
 	err = accel_target_new(device, 8, 5, &target);
 	if (err)
 		return err;
-	err = accel_target_read_colour(target, pixels, 32);
+	err = accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 32);
 	if (!err)
-		err = accel_target_read_depth(target, pixels, 32);
+		err = accel_target_read(target, ACCEL_PLANE_DEPTH, NULL, pixels, 32);
 	accel_target_free(target);
 	return err;
 }

@@ -24,7 +24,7 @@ run-errors-table:
 -include $(wildcard $(BUILD)/tests/unit/*.d $(BUILD)/tests/unit/*/*.d $(BUILD)/tests/usb/test_*.d)
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine test_device test_buffer \
-	test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
+	test_sized test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
 	test_transport_sim test_transport_sim_core
 UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
 

@@ -259,7 +259,7 @@ static void *second_run(void *data)
 static void check_clocks(const struct test *test, struct accel_device *device)
 {
 	struct accel_device_clocks clocks;
-	int err = accel_device_clocks(device, &clocks);
+	int err = accel_device_clocks(device, &clocks, sizeof(clocks));
 
 	if (test->rtl && (err == -ENOTSUP || (!err && !clocks.clocks)))
 		usb_trial_fail("the core has no clock");
@@ -277,7 +277,7 @@ static int work(struct test *test, struct accel_device *device, uint64_t *seed)
 	pthread_t thread;
 	int err;
 
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	model = test->model[info.tile_size == 64];
 	second = (struct second){ device, model, next(seed), 0 };
 	if (both && pthread_create(&thread, NULL, second_run, &second))

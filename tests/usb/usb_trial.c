@@ -180,7 +180,7 @@ static int job_finish(struct job_side *side)
 	for (int n = 0; n < 2 && side->fence[n]; n++) {
 		struct accel_fence_status status = { 0 };
 
-		side->result[n] = accel_fence_wait(side->fence[n], -1, &status);
+		side->result[n] = accel_fence_wait(side->fence[n], -1, &status, sizeof(status));
 		if (side->result[n] == -EIO && status.fault)
 			side->result[n] = 0;
 		if (n == 0)
@@ -291,10 +291,10 @@ static int picture_finish(const struct item *item, struct picture_side *side)
 
 	side->result = -ENODEV;
 	if (submitted) {
-		side->result = accel_fence_wait(side->fence, -1, NULL);
+		side->result = accel_fence_wait(side->fence, -1, NULL, 0);
 		if (!side->result)
-			side->result = accel_target_read_colour(side->target, side->pixel,
-								(size_t)item->width * 4);
+			side->result = accel_target_read(side->target, ACCEL_PLANE_COLOUR, NULL,
+							 side->pixel, (size_t)item->width * 4);
 		accel_fence_free(side->fence);
 	}
 	accel_target_free(side->target);
@@ -358,7 +358,7 @@ static int copy_finish(struct copy *copy)
 {
 	bool submitted = copy->fence;
 
-	copy->result = submitted ? accel_fence_wait(copy->fence, -1, NULL) : -ENODEV;
+	copy->result = submitted ? accel_fence_wait(copy->fence, -1, NULL, 0) : -ENODEV;
 	accel_fence_free(copy->fence);
 	accel_stream_free(copy->stream);
 	accel_buffer_free(copy->buffer);
@@ -477,7 +477,7 @@ int usb_trial_run(struct accel_device *device, struct accel_device *model, uint6
 	int count = 1 + (int)below(&seed, ITEMS), err;
 	struct accel_device_info info;
 
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	for (int n = 0; n < count; n++)
 		item_prepare(&items[n], &seed, info.tile_size);
 	err = items_run(items, count, 0, device);

@@ -104,8 +104,10 @@ static void compare_with_library(struct board *board, struct fixture *f, struct 
 	assert_int_equal(phong_draw(&f->scene, &f->frame), 0);
 	assert_int_equal(scene_draw(&f->scene, ACCEL_SHADING_GOURAUD, board->draw, board->target,
 				    NULL), 0);
-	assert_int_equal(accel_target_read_colour(board->target, colour, SIZE * 4), 0);
-	assert_int_equal(accel_target_read_depth(board->target, depth, SIZE * 4), 0);
+	assert_int_equal(
+		accel_target_read(board->target, ACCEL_PLANE_COLOUR, NULL, colour, SIZE * 4), 0);
+	assert_int_equal(accel_target_read(board->target, ACCEL_PLANE_DEPTH, NULL, depth, SIZE * 4),
+			 0);
 	quality_add(quality, &f->frame, colour, depth);
 }
 

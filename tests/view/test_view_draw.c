@@ -49,7 +49,8 @@ static void a_picture_in_parts_is_the_picture(void **state)
 		view.scene.left = view.scene.top = 0;
 		assert_int_equal(scene_draw(&view.scene, options.shading, view.draw, target, NULL),
 				 0);
-		assert_int_equal(accel_target_read_colour(target, whole.pixel, options.width * 4),
+		assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, whole.pixel,
+						   options.width * 4),
 				 0);
 		assert_memory_equal(whole.pixel, parts.pixel,
 				    sizeof(uint32_t) * options.width * options.height);

@@ -82,10 +82,10 @@ static void the_library_tells_clocks_of_a_board_on_pci(void **state)
 	snprintf(name, sizeof(name), "drm:%s", vm_env("GLOSS_NODE_RTL"));
 	assert_int_equal(accel_device_new(name, NULL, NULL, &device), 0);
 	assert_int_equal(accel_buffer_new(device, NODE_PAGE, &buffer), 0);
-	assert_int_equal(accel_device_clocks(device, &before), 0);
+	assert_int_equal(accel_device_clocks(device, &before, sizeof(before)), 0);
 	assert_int_equal(accel_buffer_write(buffer, 0, &word, sizeof(word)), 0);
 	assert_int_equal(accel_buffer_read(buffer, 0, &word, sizeof(word)), 0);
-	assert_int_equal(accel_device_clocks(device, &after), 0);
+	assert_int_equal(accel_device_clocks(device, &after, sizeof(after)), 0);
 	assert_true(after.clocks > before.clocks);
 	accel_buffer_free(buffer);
 	accel_device_free(device);

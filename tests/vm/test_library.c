@@ -94,7 +94,8 @@ static void fails_alone(uint32_t fault)
 	for (int i = 0; i < 3; i++)
 		fence[i] = start();
 	for (int i = 0; i < 3; i++) {
-		int err = accel_fence_wait(fence[i], PATIENCE_MS * 1000000ll, &status);
+		int err = accel_fence_wait(fence[i], PATIENCE_MS * 1000000ll, &status,
+					   sizeof(status));
 
 		assert_int_equal(status.fault, GLOSS_FAULT_NONE);
 		assert_true(!err || err == -EIO);
@@ -137,10 +138,10 @@ static void a_slow_job_times_out_and_ends(void **state)
 	/* Long enough to be seen on a busy machine, and not as long as a hang. */
 	arm(VBOARD_FAULT_SLOW, 400000);
 	fence = start();
-	assert_int_equal(accel_fence_wait(fence, 0, NULL), -ETIMEDOUT);
-	assert_int_equal(accel_fence_wait(fence, 20000000, NULL), -ETIMEDOUT);
+	assert_int_equal(accel_fence_wait(fence, 0, NULL, 0), -ETIMEDOUT);
+	assert_int_equal(accel_fence_wait(fence, 20000000, NULL, 0), -ETIMEDOUT);
 	arm(VBOARD_FAULT_SLOW, 0);
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	accel_fence_free(fence);
 }
 
@@ -148,7 +149,7 @@ static void a_slow_job_times_out_and_ends(void **state)
 
 static void *wait_for(void *fence)
 {
-	return (void *)(intptr_t)accel_fence_wait(fence, -1, NULL);
+	return (void *)(intptr_t)accel_fence_wait(fence, -1, NULL, 0);
 }
 
 static void everything_is_enodev(void)
@@ -218,7 +219,7 @@ static void a_board_that_is_pulled_out_ends_every_call(void **state)
 		fence[i] = start();
 	assert_int_equal(board_remove(pci), 0);
 	for (int i = 0; i < WAITERS; i++) {
-		int err = accel_fence_wait(fence[i], PATIENCE_MS * 1000000ll, NULL);
+		int err = accel_fence_wait(fence[i], PATIENCE_MS * 1000000ll, NULL, 0);
 
 		assert_true(!err || err == -ENODEV);
 		gone += err != 0;

@@ -188,7 +188,8 @@ static void wait_job(struct job *job)
 	struct accel_fence_status status = { 0 };
 
 	if (job->fence) {
-		job->result = accel_fence_wait(job->fence, WAIT_S * INT64_C(1000000000), &status);
+		job->result = accel_fence_wait(job->fence, WAIT_S * INT64_C(1000000000), &status,
+					       sizeof(status));
 		if (job->result == -ETIMEDOUT)
 			vm_fail("a job does not end");
 		accel_fence_free(job->fence);

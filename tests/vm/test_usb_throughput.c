@@ -110,7 +110,7 @@ static double run_jobs(struct accel_device *device, struct accel_buffer *buffer,
 	for (int n = 0; n < JOBS; n++)
 		must(accel_stream_submit(stream[n], answer[n], way->response_words, &fence[n]));
 	for (int n = 0; n < JOBS; n++)
-		must(accel_fence_wait(fence[n], -1, NULL));
+		must(accel_fence_wait(fence[n], -1, NULL, 0));
 	start = now() - start;
 	for (int n = 0; n < JOBS; n++) {
 		accel_fence_free(fence[n]);

@@ -120,9 +120,9 @@ static void submit(struct worker *worker, struct side *side)
 
 static void finish(struct side *side)
 {
-	must(accel_fence_wait(side->fence[0], -1, NULL));
-	side->result = accel_fence_wait(side->fence[1], -1, &side->status);
-	must(accel_fence_wait(side->fence[2], -1, NULL));
+	must(accel_fence_wait(side->fence[0], -1, NULL, 0));
+	side->result = accel_fence_wait(side->fence[1], -1, &side->status, sizeof(side->status));
+	must(accel_fence_wait(side->fence[2], -1, NULL, 0));
 	for (int i = 0; i < 3; i++)
 		accel_fence_free(side->fence[i]);
 	for (unsigned int n = 0; n < GLOSS_SLOTS; n++)
@@ -230,7 +230,7 @@ void vm_stream_test(const char *board, int jobs, uint64_t seed)
 	char model[32];
 
 	device[0] = open_device(board);
-	accel_device_info(device[0], &info);
+	accel_device_info(device[0], &info, sizeof(info));
 	snprintf(model, sizeof(model), "model:tile=%u", info.tile_size);
 	device[1] = open_device(model);
 	for (int i = 0; i < THREADS; i++) {

@@ -125,8 +125,8 @@ static int print_board(const char *name, bool json)
 
 	if (device_open("gloss-info", name, &device))
 		return EXIT_FAILED;
-	accel_device_info(device, &board.info);
-	board.counts = !accel_device_clocks(device, &board.clocks);
+	accel_device_info(device, &board.info, sizeof(board.info));
+	board.counts = !accel_device_clocks(device, &board.clocks, sizeof(board.clocks));
 	accel_device_free(device);
 	(json ? info_json_board : info_print_board)(stdout, &board);
 	return EXIT_GOOD;

@@ -61,7 +61,7 @@ static struct phong_lamp prepare_lamp(const struct scene *scene, const struct ac
 	bool painted = phong_painted(scene);
 	struct phong_lamp lamp = {
 		.positional = light->position[3] != 0,
-		.spot = light->spot_cutoff <= 90,
+		.spot = light->spot_cutoff > 0 && light->spot_cutoff <= 90,
 		.spot_exponent = light->spot_exponent,
 		.spot_cosine = cosf(light->spot_cutoff * (3.14159265358979f / 180)),
 	};
@@ -73,6 +73,8 @@ static struct phong_lamp prepare_lamp(const struct scene *scene, const struct ac
 		lamp.spot_direction[i] = light->spot_direction[i];
 		lamp.attenuation[i] = light->attenuation[i];
 	}
+	if (lamp.attenuation[0] == 0 && lamp.attenuation[1] == 0 && lamp.attenuation[2] == 0)
+		lamp.attenuation[0] = 1;
 	if (!lamp.positional)
 		normalise(lamp.position);
 	memcpy(lamp.half, lamp.position, sizeof(lamp.half));

@@ -16,7 +16,7 @@ struct quality {
 
 /*
  * Adds a picture of the size of @frame, which must have light. @colour and @depth are as
- * accel_target_read_colour and _depth give them, without gaps between rows.
+ * accel_target_read gives them, without gaps between rows.
  */
 void quality_add(struct quality *quality, const struct phong_frame *frame, const uint32_t *colour,
 		 const uint32_t *depth);

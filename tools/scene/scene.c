@@ -12,12 +12,7 @@ static void grey(float rgba[4], float value)
 
 static struct accel_light light_white(void)
 {
-	struct accel_light light = {
-		.enabled = true,
-		.attenuation = { 1, 0, 0 },
-		.spot_direction = { 0, 0, -1 },
-		.spot_cutoff = 180,
-	};
+	struct accel_light light = ACCEL_LIGHT(.enabled = true, .spot_direction = { 0, 0, -1 });
 
 	grey(light.ambient, 0);
 	grey(light.diffuse, 1);
@@ -46,7 +41,7 @@ struct accel_light scene_light_point(float x, float y, float z)
 struct accel_material scene_material_grey(float ambient, float diffuse, float specular,
 					  float shininess)
 {
-	struct accel_material material = { .shininess = shininess };
+	struct accel_material material = ACCEL_MATERIAL(.shininess = shininess);
 
 	grey(material.emission, 0);
 	grey(material.ambient, ambient);
@@ -112,7 +107,7 @@ int scene_draw(const struct scene *scene, enum accel_shading shading, struct acc
 	if (!ret)
 		ret = accel_draw_submit(draw, NULL);
 	if (!ret && stats)
-		accel_draw_stats(draw, stats);
+		accel_draw_stats(draw, stats, sizeof(*stats));
 	accel_state_free(state);
 	return ret;
 }

@@ -187,7 +187,7 @@ static uint64_t clocks(struct view *view)
 {
 	struct accel_device_clocks clocks;
 
-	return accel_device_clocks(view->device, &clocks) ? 0 : clocks.clocks;
+	return accel_device_clocks(view->device, &clocks, sizeof(clocks)) ? 0 : clocks.clocks;
 }
 
 /* Copies the part of the target that is in the picture to its place. */
@@ -205,13 +205,12 @@ static void copy_part(const struct view *view, uint32_t *pixels)
 }
 
 /* Reads colour or depth of the whole target. */
-static int read_part(struct view *view, uint32_t *pixels,
-		     int (*read)(struct accel_target *target, void *pixels, size_t pitch))
+static int read_part(struct view *view, uint32_t *pixels, enum accel_plane plane)
 {
 	bool parts = view->part.pixel != NULL;
 	uint32_t *to = parts ? view->part.pixel : pixels;
 	int width = parts ? view->part.width : view->scene.width;
-	int ret = read(view->target, to, width * sizeof(*to));
+	int ret = accel_target_read(view->target, plane, NULL, to, width * sizeof(*to));
 
 	if (!ret && parts)
 		copy_part(view, pixels);
@@ -239,9 +238,9 @@ static int draw_part(struct view *view, enum accel_shading shading, struct pictu
 
 	ret = scene_draw(&view->scene, shading, view->draw, view->target, &stats);
 	if (!ret)
-		ret = read_part(view, picture->pixel, accel_target_read_colour);
+		ret = read_part(view, picture->pixel, ACCEL_PLANE_COLOUR);
 	if (!ret && view->depth)
-		ret = read_part(view, view->depth, accel_target_read_depth);
+		ret = read_part(view, view->depth, ACCEL_PLANE_DEPTH);
 	if (!ret)
 		add_stats(&view->stats, &stats);
 	return ret;

@@ -34,7 +34,7 @@ static bool set_aim(struct accel_light *light, const char *value)
 
 static bool set_cutoff(struct accel_light *light, const char *value)
 {
-	return view_number(value, 0, 90, &light->spot_cutoff);
+	return view_number(value, 0, 90, &light->spot_cutoff) && light->spot_cutoff > 0;
 }
 
 static bool set_exponent(struct accel_light *light, const char *value)

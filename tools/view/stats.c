@@ -9,7 +9,7 @@ void view_stats_print(const struct view *view)
 	const struct accel_draw_stats *stats = &view->stats;
 	struct accel_device_info info;
 
-	accel_device_info(view->device, &info);
+	accel_device_info(view->device, &info, sizeof(info));
 	printf("device     %s\n", info.name);
 	printf("picture    %dx%d, %" PRIu64 " pixels of the mesh, %s shading\n", view->scene.width,
 	       view->scene.height, view->visible, view_shading_name(view->options->shading));

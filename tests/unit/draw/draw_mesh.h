@@ -154,17 +154,15 @@ static inline void state_look(struct accel_state *state, float distance)
 /* One light from the viewer's right, a white highlight of exponent @n, depth test. */
 static inline struct accel_state *state_shiny(float n)
 {
-	struct accel_material material = { .ambient = { 0.1f, 0.1f, 0.2f, 1 },
-					   .diffuse = { 0.6f, 0.5f, 0.2f, 1 },
-					   .specular = { 0.5f, 0.5f, 0.5f, 1 },
-					   .shininess = n };
-	struct accel_light light = { .enabled = true,
-				     .position = { 0.3f, 0.4f, 0.866f, 0 },
-				     .diffuse = { 1, 1, 1, 1 },
-				     .specular = { 1, 1, 1, 1 },
-				     .attenuation = { 1, 0, 0 },
-				     .spot_direction = { 0, 0, -1 },
-				     .spot_cutoff = 180 };
+	struct accel_material material =
+		ACCEL_MATERIAL(.ambient = { 0.1f, 0.1f, 0.2f, 1 },
+			       .diffuse = { 0.6f, 0.5f, 0.2f, 1 },
+			       .specular = { 0.5f, 0.5f, 0.5f, 1 }, .shininess = n);
+	struct accel_light light =
+		ACCEL_LIGHT(.enabled = true, .position = { 0.3f, 0.4f, 0.866f, 0 },
+			    .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
+			    .attenuation = { 1, 0, 0 }, .spot_direction = { 0, 0, -1 },
+			    .spot_cutoff = 180);
 	struct accel_state *state;
 
 	assert_int_equal(accel_state_new(&state), 0);

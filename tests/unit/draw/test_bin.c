@@ -113,7 +113,7 @@ static void submit(struct fixture *f, size_t job_words)
 	assert_int_equal(waits, 0);
 	f->device->ops = board;
 	assert_true(sent);
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	accel_fence_free(fence);
 	assert_int_equal(f->stats.stream_words, sent_count);
 }

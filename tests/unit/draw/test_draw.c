@@ -88,7 +88,8 @@ static void picture(struct fixture *f, const struct accel_mesh *mesh, uint32_t *
 	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
 	assert_int_equal(mesh_draw(f, mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, colour, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, colour, SIDE * 4),
+			 0);
 }
 
 static void assert_all(uint32_t wanted)
@@ -103,7 +104,7 @@ static struct accel_draw_stats stats_of(const struct fixture *f)
 {
 	struct accel_draw_stats stats;
 
-	accel_draw_stats(f->draw, &stats);
+	accel_draw_stats(f->draw, &stats, sizeof(stats));
 	return stats;
 }
 
@@ -330,8 +331,10 @@ static void back_faces_have_their_own_material_if_they_are_two_sided(void **stat
 	struct fixture *f = *state;
 	const float normal[4][3] = { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } };
 	const uint32_t turned[6] = { 2, 1, 0, 3, 2, 0 };
-	const struct accel_material front = { .emission = { 1, 0, 0, 1 }, .diffuse[3] = 1 };
-	const struct accel_material back = { .emission = { 0, 1, 0, 1 }, .diffuse[3] = 1 };
+	const struct accel_material front =
+		ACCEL_MATERIAL(.emission = { 1, 0, 0, 1 }, .diffuse[3] = 1);
+	const struct accel_material back =
+		ACCEL_MATERIAL(.emission = { 0, 1, 0, 1 }, .diffuse[3] = 1);
 	struct accel_mesh mesh = square_mesh();
 
 	mesh.normal = normal;
@@ -467,16 +470,19 @@ static void depth_functions_and_masks_are_kept(void **state)
 	assert_int_equal(mesh_draw(f, &front), 0);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
 	assert_all(RED);
 	/* In the next frame what was drawn is still there. */
 	accel_state_set_depth(f->state, ACCEL_COMPARE_GREATER, false);
 	accel_state_set_colour_mask(f->state, false, false, true, false);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
 	assert_all(RED | 0xff0000);
-	assert_int_equal(accel_target_read_depth(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_DEPTH, NULL, pixels, SIDE * 4),
+			 0);
 	assert_all(0x3fffff + 1);
 }
 
@@ -490,9 +496,11 @@ static void clear_values_are_rounded(void **state)
 	assert_int_equal(accel_draw_clear(f->draw, 3, rgba, 0.5f), 0);
 	assert_int_equal(mesh_draw(f, &nothing), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
 	assert_all(0x01ff0080);
-	assert_int_equal(accel_target_read_depth(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_DEPTH, NULL, pixels, SIDE * 4),
+			 0);
 	assert_all(0x800000);
 }
 
@@ -507,7 +515,7 @@ static void a_frame_without_anything_is_sent_and_does_nothing(void **state)
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
 	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
 	assert_non_null(fence);
-	assert_int_equal(accel_fence_wait(fence, -1, &status), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), 0);
 	assert_int_equal(status.fault, 0);
 	accel_fence_free(fence);
 	assert_int_equal(stats_of(f).tiles, 0);
@@ -528,7 +536,8 @@ static void a_clear_without_a_target_is_not_lost(void **state)
 	assert_null(fence);
 	assert_int_equal(mesh_draw(f, &nothing), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
 	assert_all(RED);
 }
 
@@ -575,7 +584,7 @@ static void a_target_may_go_before_its_frame_is_sent(void **state)
 	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
 	accel_target_free(other);
 	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	accel_fence_free(fence);
 	/* And a draw may go with a frame in it. */
 	assert_int_equal(accel_target_new(f->device, 300, 20, &other), 0);
@@ -603,8 +612,9 @@ static float random_float(uint64_t *seed)
 
 static void random_state(uint64_t *seed, struct accel_state *s)
 {
-	struct accel_material material = { .shininess = (float)test_below(seed, 1001) };
-	struct accel_light light = { .enabled = true, .attenuation[0] = 1, .spot_cutoff = 180 };
+	struct accel_material material = ACCEL_MATERIAL(.shininess = (float)test_below(seed, 1001));
+	struct accel_light light =
+		ACCEL_LIGHT(.enabled = true, .attenuation[0] = 1, .spot_cutoff = 180);
 
 	state_look(s, random_float(seed));
 	for (int i = 0; i < 4; i++) {

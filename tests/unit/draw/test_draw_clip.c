@@ -202,7 +202,7 @@ static void random_shapes_are_drawn_where_rays_meet_them(void **state)
 		covered += now;
 		shapes += now > 0;
 	}
-	accel_draw_stats(f->draw, &stats);
+	accel_draw_stats(f->draw, &stats, sizeof(stats));
 	print_message("%ld shapes with %ld pixels, %llu triangles clipped\n", shapes, covered,
 		      (unsigned long long)stats.clipped);
 	assert_true(shapes > RANDOM_SHAPES / 8);
@@ -234,9 +234,9 @@ static void what_is_behind_the_viewer_or_beside_the_view_draws_nothing(void **st
 
 	accel_state_set_modelview(f->state, still);
 	for (int i = 0; i < 3; i++) {
-		accel_draw_stats(f->draw, &before);
+		accel_draw_stats(f->draw, &before, sizeof(before));
 		assert_int_equal(check_parallelogram(f, &p[i], i), 0);
-		accel_draw_stats(f->draw, &after);
+		accel_draw_stats(f->draw, &after, sizeof(after));
 		assert_int_equal(after.culled - before.culled, 2);
 		assert_int_equal(after.triangles_in - before.triangles_in, 2);
 	}

@@ -50,7 +50,8 @@ static void draw(struct fixture *f, uint32_t *pixel)
 	assert_int_equal(accel_draw_clear(f->draw, both, black, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &f->shape.mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixel, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixel, SIDE * 4),
+			 0);
 }
 
 static void assert_same(const uint32_t *a, const uint32_t *b, int step)
@@ -122,7 +123,7 @@ static void colours_run_from_vertex_to_vertex(void **state)
 	static uint32_t lit[SIDE * SIDE], unlit[SIDE * SIDE];
 	const float ambient[4] = { 1, 1, 1, 1 };
 	struct fixture *f = *state;
-	struct accel_material material = { .shininess = 1 };
+	struct accel_material material = ACCEL_MATERIAL(.shininess = 1);
 	struct accel_light off = f->state->light[0];
 
 	off.enabled = false;

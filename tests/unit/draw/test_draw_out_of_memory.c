@@ -86,7 +86,7 @@ static int frame(const struct fixture *f, struct accel_draw *draw)
 
 static void assert_picture(const struct fixture *f)
 {
-	assert_int_equal(accel_target_read_colour(f->target, got, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, got, SIDE * 4), 0);
 	assert_memory_equal(got, wanted, sizeof(got));
 }
 
@@ -96,7 +96,7 @@ static void check_after_error(const struct fixture *f, struct accel_draw *draw)
 	struct accel_draw_stats stats;
 
 	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	accel_draw_stats(draw, &stats);
+	accel_draw_stats(draw, &stats, sizeof(stats));
 	assert_int_equal(stats.records > 0, submitting);
 	if (submitting)
 		assert_picture(f);
@@ -150,10 +150,10 @@ static void a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame(void **un
 	failing = 1;
 	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &endless), -ENOMEM);
 	failing = 0;
-	accel_draw_stats(draw, &stats);
+	accel_draw_stats(draw, &stats, sizeof(stats));
 	assert_int_equal(stats.triangles_in, 0);
 	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	accel_draw_stats(draw, &stats);
+	accel_draw_stats(draw, &stats, sizeof(stats));
 	assert_int_equal(stats.tiles, 0);
 	assert_int_equal(stats.records, 0);
 	accel_draw_free(draw);
@@ -165,7 +165,7 @@ static void a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame(void **un
 	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &shape.mesh), -ENOMEM);
 	failing = 0;
 	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	accel_draw_stats(draw, &stats);
+	accel_draw_stats(draw, &stats, sizeof(stats));
 	assert_int_equal(stats.tiles, 0);
 	accel_draw_free(draw);
 	accel_state_free(f.state);
@@ -188,7 +188,8 @@ static void a_failed_allocation_is_reported_and_leaves_a_draw_that_works(void **
 	assert_int_equal(accel_draw_new(f.device, &draw), 0);
 	assert_int_equal(frame(&f, draw), 0);
 	count = calls;
-	assert_int_equal(accel_target_read_colour(f.target, wanted, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f.target, ACCEL_PLANE_COLOUR, NULL, wanted, SIDE * 4),
+			 0);
 	accel_draw_free(draw);
 	assert_true(count > 10);
 	/* 0: none fails. */

@@ -69,8 +69,9 @@ static void draw_coloured(struct fixture *f, const struct coloured *t,
 	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
-	accel_draw_stats(f->draw, stats);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
+	accel_draw_stats(f->draw, stats, sizeof(*stats));
 }
 
 /* The shares of the vertices in what the ray through a point of the window meets; false: none. */
@@ -257,7 +258,8 @@ static void light_is_that_of_the_vertices_though_they_are_clipped(void **state)
 	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
 	accel_state_free(shiny);
 	add_off(&t, &off);
 	print_message("of 255: mean %g, most %g\n", off.sum / (double)off.count, off.most);

@@ -69,7 +69,7 @@ static struct accel_draw_stats draw_counted(struct fixture *f, enum accel_shadin
 	assert_int_equal(coverage.empty, 0);
 	assert_true(coverage.drawn > SIDE * SIDE / 8);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	accel_draw_stats(f->draw, &stats);
+	accel_draw_stats(f->draw, &stats, sizeof(stats));
 	return stats;
 }
 
@@ -78,9 +78,11 @@ static void check_split_covers_the_same(struct fixture *f)
 	struct accel_draw_stats plain, adaptive;
 
 	plain = draw_counted(f, ACCEL_SHADING_FLAT, counts[0]);
-	assert_int_equal(accel_target_read_depth(f->target, pixels[0], SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_DEPTH, NULL, pixels[0], SIDE * 4),
+			 0);
 	adaptive = draw_counted(f, ACCEL_SHADING_ADAPTIVE, counts[1]);
-	assert_int_equal(accel_target_read_depth(f->target, pixels[1], SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_DEPTH, NULL, pixels[1], SIDE * 4),
+			 0);
 	assert_int_equal(plain.split, 0);
 	assert_true(adaptive.split > 0);
 	assert_true(adaptive.flat + adaptive.linear + adaptive.second_order >
@@ -166,18 +168,21 @@ static void depth_is_equal_in_a_second_pass_with_other_shading(void **state)
 	accel_state_set_depth(f->state, ACCEL_COMPARE_EQUAL, false);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &shape.mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels[0], SIDE * 4), 0);
+	assert_int_equal(
+		accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[0], SIDE * 4), 0);
 	accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);
 	draw_counted(f, ACCEL_SHADING_ADAPTIVE, counts[0]);
-	assert_int_equal(accel_target_read_colour(f->target, pixels[1], SIDE * 4), 0);
+	assert_int_equal(
+		accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[1], SIDE * 4), 0);
 	for (int i = 0; i < SIDE * SIDE; i++)
 		assert_int_equal(pixels[0][i], counts[0][i] ? pixels[1][i] : 0xffffffff);
 }
 
 static void read_all(struct fixture *f, uint32_t *colour, uint32_t *depth)
 {
-	assert_int_equal(accel_target_read_colour(f->target, colour, SIDE * 4), 0);
-	assert_int_equal(accel_target_read_depth(f->target, depth, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, colour, SIDE * 4),
+			 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_DEPTH, NULL, depth, SIDE * 4), 0);
 }
 
 static void a_picture_is_the_same_for_either_tile_size(void **state)

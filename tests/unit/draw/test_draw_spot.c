@@ -80,7 +80,7 @@ static void random_shape(uint64_t *seed)
 /* In front of a mesh that is @distance away, and pointed at it; every second has a hard rim. */
 static struct accel_light random_spot(uint64_t *seed, float distance)
 {
-	struct accel_light light = { .enabled = true, .attenuation = { 1, 0, 0 } };
+	struct accel_light light = ACCEL_LIGHT(.enabled = true, .attenuation = { 1, 0, 0 });
 
 	for (int i = 0; i < 3; i++) {
 		light.position[i] = 4 * test_unit(seed) - 2;
@@ -99,7 +99,7 @@ static struct accel_light random_spot(uint64_t *seed, float distance)
 
 static void light_off(struct accel_state *state, int i)
 {
-	const struct accel_light off = { .position = { 0, 0, 1, 0 }, .spot_cutoff = 180 };
+	const struct accel_light off = ACCEL_LIGHT(.position = { 0, 0, 1, 0 }, .spot_cutoff = 180);
 
 	assert_int_equal(accel_state_set_light(state, i, &off), 0);
 }
@@ -109,7 +109,8 @@ static void read_picture(struct fixture *f, uint32_t *pixels)
 	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 1, 1, 1, 0 }, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &shape.mesh), 0);
 	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(f->target, pixels, SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
 }
 
 /* The brightest that the exact light gets anywhere on the mesh, seen by @side. */
@@ -178,8 +179,8 @@ static int compare(const float most[3], int *below, int *above)
 
 static void check_scene(struct fixture *f, uint64_t *seed, enum accel_shading shading)
 {
-	const struct accel_material matt = { .ambient = { 0.8f, 0.8f, 0.8f, 1 },
-					     .diffuse = { 1, 1, 1, 1 } };
+	const struct accel_material matt =
+		ACCEL_MATERIAL(.ambient = { 0.8f, 0.8f, 0.8f, 1 }, .diffuse = { 1, 1, 1, 1 });
 	uint64_t scene = *seed;
 	int lights = test_between(seed, 1, 4), below = 0, above = 0, swollen;
 	float most[3];
@@ -220,14 +221,15 @@ static void spots_darken_no_pixel_and_overshoot_nothing(void **state)
 /* The reported case: black fur around the cone. */
 static void a_hard_rim_leaves_the_light_that_was_there(void **state)
 {
-	const struct accel_material plastic = { .ambient = { 0.8f, 0.75f, 0.65f, 1 },
-						.diffuse = { 0.6f, 0.6f, 0.6f, 1 },
-						.specular = { 0.5f, 0.5f, 0.5f, 1 },
-						.shininess = 30 };
-	struct accel_light light = { .enabled = true, .position = { 0.6f, 0.5f, -1, 1 },
-				     .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
-				     .attenuation = { 1, 0, 0 },
-				     .spot_direction = { -0.6f, -0.5f, -2 }, .spot_cutoff = 12 };
+	const struct accel_material plastic =
+		ACCEL_MATERIAL(.ambient = { 0.8f, 0.75f, 0.65f, 1 },
+			       .diffuse = { 0.6f, 0.6f, 0.6f, 1 },
+			       .specular = { 0.5f, 0.5f, 0.5f, 1 }, .shininess = 30);
+	struct accel_light light =
+		ACCEL_LIGHT(.enabled = true, .position = { 0.6f, 0.5f, -1, 1 },
+			    .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
+			    .attenuation = { 1, 0, 0 }, .spot_direction = { -0.6f, -0.5f, -2 },
+			    .spot_cutoff = 12);
 	struct fixture *f = *state;
 	int below = 0, above = 0;
 

@@ -95,7 +95,8 @@ static void random_vector(uint64_t *seed, float v[3], float length)
 
 static struct accel_light random_light(uint64_t *seed)
 {
-	struct accel_light light = { .enabled = test_below(seed, 3) != 0, .spot_cutoff = 180 };
+	struct accel_light light =
+		ACCEL_LIGHT(.enabled = test_below(seed, 3) != 0, .spot_cutoff = 180);
 
 	random_vector(seed, light.position, 3);
 	light.position[3] = test_below(seed, 2) ? 0.5f + test_unit(seed) : 0;

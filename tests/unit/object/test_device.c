@@ -11,7 +11,7 @@ static void the_model_says_what_it_is(void **state)
 
 	(void)state;
 	device = device_open("model:tile=32,memory=1048576", &messages);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_int_equal(info.tile_size, 32);
 	assert_int_equal(info.memory_size, 1048576);
 	assert_int_not_equal(info.pixels_per_clock, 0);
@@ -19,7 +19,7 @@ static void the_model_says_what_it_is(void **state)
 	accel_device_free(device);
 
 	device = device_open("model:", &messages);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_int_equal(info.tile_size, 64);
 	assert_int_equal(info.memory_size, 256 << 20);
 	accel_device_free(device);
@@ -82,7 +82,7 @@ static void the_model_counts_no_clocks(void **state)
 
 	(void)state;
 	device = device_open("model:", &messages);
-	assert_int_equal(accel_device_clocks(device, &clocks), -ENOTSUP);
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), -ENOTSUP);
 	accel_device_free(device);
 }
 

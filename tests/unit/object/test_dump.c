@@ -280,7 +280,7 @@ static void a_frame_is_written_as_the_board_has_it(void **state)
 	assert_int_equal(accel_draw_new(fixture->device, &draw), 0);
 	assert_int_equal(accel_draw_mesh(draw, target, drawn, &mesh), 0);
 	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	accel_draw_stats(draw, &stats);
+	accel_draw_stats(draw, &stats, sizeof(stats));
 	words = calloc(stats.stream_words + 1, 4);
 	assert_int_equal(read_file(fixture, "stream", words, 4 * (stats.stream_words + 1)),
 			 4 * stats.stream_words);

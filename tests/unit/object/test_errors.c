@@ -112,7 +112,7 @@ static int clocks(void)
 {
 	struct accel_device_clocks sum;
 
-	return accel_device_clocks(device, &sum);
+	return accel_device_clocks(device, &sum, sizeof(sum));
 }
 
 static int clocks_of_a_model(void)
@@ -227,36 +227,36 @@ static uint32_t pixels[64 * 64];
 
 static int colour_with_a_short_pitch(void)
 {
-	return accel_target_read_colour(target, pixels, 4);
+	return accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 4);
 }
 
 static int colour_of_a_board_that_fails(void)
 {
 	fail_board();
-	return accel_target_read_colour(target, pixels, 256);
+	return accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 256);
 }
 
 static int colour_of_no_board(void)
 {
 	unplug();
-	return accel_target_read_colour(target, pixels, 256);
+	return accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 256);
 }
 
 static int depth_with_an_odd_pitch(void)
 {
-	return accel_target_read_depth(target, pixels, 258);
+	return accel_target_read(target, ACCEL_PLANE_DEPTH, NULL, pixels, 258);
 }
 
 static int depth_of_a_board_that_fails(void)
 {
 	fail_board();
-	return accel_target_read_depth(target, pixels, 256);
+	return accel_target_read(target, ACCEL_PLANE_DEPTH, NULL, pixels, 256);
 }
 
 static int depth_of_no_board(void)
 {
 	unplug();
-	return accel_target_read_depth(target, pixels, 256);
+	return accel_target_read(target, ACCEL_PLANE_DEPTH, NULL, pixels, 256);
 }
 
 /* ---- state ---- */
@@ -270,13 +270,36 @@ static int ambient_of_nothing(void)
 
 static int material_too_shiny(void)
 {
-	return accel_state_set_material(state_of_all,
-					&(struct accel_material){ .shininess = 1001 }, NULL);
+	return accel_state_set_material(
+		state_of_all, &(struct accel_material)ACCEL_MATERIAL(.shininess = 1001), NULL);
 }
 
 static int light_number_eight(void)
 {
-	return accel_state_set_light(state_of_all, 8, &(struct accel_light){ .enabled = false });
+	return accel_state_set_light(state_of_all, 8,
+				     &(struct accel_light)ACCEL_LIGHT(.enabled = false));
+}
+
+static int material_of_a_later_version(void)
+{
+	struct {
+		struct accel_material now;
+		int later;
+	} material = { ACCEL_MATERIAL(), 1 };
+
+	material.now.size = sizeof(material);
+	return accel_state_set_material(state_of_all, &material.now, NULL);
+}
+
+static int light_of_a_later_version(void)
+{
+	struct {
+		struct accel_light now;
+		int later;
+	} light = { ACCEL_LIGHT(), 1 };
+
+	light.now.size = sizeof(light);
+	return accel_state_set_light(state_of_all, 0, &light.now);
 }
 
 /* ---- draws ---- */
@@ -384,7 +407,7 @@ static int wait_of(int64_t timeout_ns)
 	int err;
 
 	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
-	err = accel_fence_wait(fence, timeout_ns, NULL);
+	err = accel_fence_wait(fence, timeout_ns, NULL, 0);
 	fake_usb_release();
 	accel_fence_free(fence);
 	return err;
@@ -410,7 +433,7 @@ static int wait_on_no_board(void)
 	fake_usb_hold();
 	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
 	unplug();
-	err = accel_fence_wait(fence, -1, NULL);
+	err = accel_fence_wait(fence, -1, NULL, 0);
 	accel_fence_free(fence);
 	return err;
 }
@@ -449,15 +472,17 @@ static const struct reached {
 	{ "accel_buffer_read", -ENODEV, read_of_no_board },
 	{ "accel_target_new", -EINVAL, target_of_no_height },
 	{ "accel_target_new", -ENOMEM, target_in_full_memory },
-	{ "accel_target_read_colour", -EINVAL, colour_with_a_short_pitch },
-	{ "accel_target_read_colour", -EIO, colour_of_a_board_that_fails },
-	{ "accel_target_read_colour", -ENODEV, colour_of_no_board },
-	{ "accel_target_read_depth", -EINVAL, depth_with_an_odd_pitch },
-	{ "accel_target_read_depth", -EIO, depth_of_a_board_that_fails },
-	{ "accel_target_read_depth", -ENODEV, depth_of_no_board },
+	{ "accel_target_read", -EINVAL, colour_with_a_short_pitch },
+	{ "accel_target_read", -EIO, colour_of_a_board_that_fails },
+	{ "accel_target_read", -ENODEV, colour_of_no_board },
+	{ "accel_target_read", -EINVAL, depth_with_an_odd_pitch },
+	{ "accel_target_read", -EIO, depth_of_a_board_that_fails },
+	{ "accel_target_read", -ENODEV, depth_of_no_board },
 	{ "accel_state_set_ambient", -EINVAL, ambient_of_nothing },
 	{ "accel_state_set_material", -EINVAL, material_too_shiny },
 	{ "accel_state_set_light", -EINVAL, light_number_eight },
+	{ "accel_state_set_material", -E2BIG, material_of_a_later_version },
+	{ "accel_state_set_light", -E2BIG, light_of_a_later_version },
 	{ "accel_draw_clear", -EINVAL, clear_what_is_not_there },
 	{ "accel_draw_mesh", -EINVAL, mesh_without_positions },
 	{ "accel_draw_submit", -EINVAL, frame_that_clears_nothing },

@@ -119,9 +119,9 @@ static void a_second_wait_gives_the_same_answer(void **state)
 	struct accel_fence_status first, second = { 0, 0, 0 };
 
 	fixture->board.status = (struct gloss_status){ GLOSS_FAULT_SLOT, 17, 3 };
-	assert_int_equal(accel_fence_wait(fence, -1, &first), -EIO);
+	assert_int_equal(accel_fence_wait(fence, -1, &first, sizeof(first)), -EIO);
 	fixture->board.status = (struct gloss_status){ GLOSS_FAULT_NONE, 0, 0 };
-	assert_int_equal(accel_fence_wait(fence, -1, &second), -EIO);
+	assert_int_equal(accel_fence_wait(fence, -1, &second, sizeof(second)), -EIO);
 	assert_int_equal(second.fault, GLOSS_FAULT_SLOT);
 	assert_int_equal(second.offset, 17);
 	assert_int_equal(second.response_words, 3);
@@ -139,11 +139,11 @@ static void a_timeout_is_not_the_end(void **state)
 	struct accel_fence *fence = submit(fixture);
 
 	fixture->board.wait = -ETIMEDOUT;
-	assert_int_equal(accel_fence_wait(fence, 1234, &status), -ETIMEDOUT);
+	assert_int_equal(accel_fence_wait(fence, 1234, &status, sizeof(status)), -ETIMEDOUT);
 	assert_int_equal(fixture->board.timeout, 1234);
 	assert_int_equal(status.offset, 8);
 	fixture->board.wait = 0;
-	assert_int_equal(accel_fence_wait(fence, 0, &status), 0);
+	assert_int_equal(accel_fence_wait(fence, 0, &status, sizeof(status)), 0);
 	assert_int_equal(status.offset, 0);
 	assert_int_equal(fixture->messages.count, 0);
 	accel_fence_free(fence);
@@ -166,7 +166,7 @@ static void a_board_that_failed_is_told_from_a_fault(void **state)
 
 	fixture->board.wait = -EIO;
 	fixture->board.status = (struct gloss_status){ GLOSS_FAULT_SLOT, 1, 1 };
-	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), -EIO);
 	assert_int_equal(status.fault, 0);
 	assert_int_equal(status.response_words, 0);
 	assert_message(&fixture->messages, "the board failed and was reset");
@@ -179,9 +179,9 @@ static void a_board_that_is_gone_ends_the_job(void **state)
 	struct accel_fence *fence = submit(fixture);
 
 	fixture->board.wait = -ENODEV;
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), -ENODEV);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), -ENODEV);
 	fixture->board.wait = 0;
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), -ENODEV);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), -ENODEV);
 	assert_message(&fixture->messages, "the job was lost");
 	accel_fence_free(fence);
 }
@@ -214,10 +214,10 @@ static void buffers_of_a_job_go_when_it_has_ended(void **state)
 	fence = submit(fixture);
 	accel_buffer_free(buffer);
 	fixture->board.wait = -ETIMEDOUT;
-	accel_fence_wait(fence, 0, NULL);
+	accel_fence_wait(fence, 0, NULL, 0);
 	assert_int_equal(fixture->board.memories, 1);
 	fixture->board.wait = 0;
-	accel_fence_wait(fence, 0, NULL);
+	accel_fence_wait(fence, 0, NULL, 0);
 	assert_int_equal(fixture->board.memories, 0);
 	accel_fence_free(fence);
 }
@@ -240,9 +240,9 @@ static void a_fence_of_several_jobs_waits_for_all(void **state)
 	struct fixture *fixture = *state;
 	struct accel_fence *fence = send_three(fixture);
 
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	assert_int_equal(fixture->board.waits, 3);
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	assert_int_equal(fixture->board.waits, 3);
 	accel_fence_free(fence);
 }
@@ -256,7 +256,7 @@ static void a_fence_of_several_jobs_tells_of_the_first_that_failed(void **state)
 	fixture->board.status = (struct gloss_status){ GLOSS_FAULT_SLOT, 17, 3 };
 	fixture->board.change_at = 1;
 	fixture->board.changed = (struct gloss_status){ GLOSS_FAULT_NONE, 4, 0 };
-	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), -EIO);
 	assert_int_equal(fixture->board.waits, 3);
 	assert_int_equal(status.fault, GLOSS_FAULT_SLOT);
 	assert_int_equal(status.offset, 17);
@@ -270,9 +270,9 @@ static void a_fence_whose_second_job_runs_times_out_and_goes_on(void **state)
 	struct accel_fence *fence = send_three(fixture);
 
 	fixture->board.timeout_at = 2;
-	assert_int_equal(accel_fence_wait(fence, 0, NULL), -ETIMEDOUT);
+	assert_int_equal(accel_fence_wait(fence, 0, NULL, 0), -ETIMEDOUT);
 	assert_int_equal(fixture->board.waits, 2);
-	assert_int_equal(accel_fence_wait(fence, 0, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, 0, NULL, 0), 0);
 	assert_int_equal(fixture->board.waits, 4);
 	accel_fence_free(fence);
 }
@@ -284,7 +284,7 @@ static void the_time_of_a_wait_is_that_of_all_its_jobs(void **state)
 	struct fixture *fixture = *state;
 	struct accel_fence *fence = send_three(fixture);
 
-	assert_int_equal(accel_fence_wait(fence, timeout, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, timeout, NULL, 0), 0);
 	assert_true(fixture->board.timeout < timeout);
 	accel_fence_free(fence);
 }
@@ -302,7 +302,7 @@ static void a_fence_outlives_the_name_of_its_device(void **state)
 	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
 	accel_stream_free(stream);
 	accel_device_free(device);
-	assert_int_equal(accel_fence_wait(fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	accel_fence_free(fence);
 }
 
@@ -355,7 +355,7 @@ static void a_fault_says_its_cause_and_its_word(void **state)
 	for (i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++) {
 		accel_stream_emit(stream, wrong[i].words, wrong[i].count);
 		assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
-		assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+		assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), -EIO);
 		assert_int_equal(status.fault, wrong[i].fault);
 		assert_int_equal(status.offset, wrong[i].offset);
 		assert_message(&messages, wrong[i].message);

@@ -85,7 +85,7 @@ static void *wait_in_fence(void *data)
 {
 	(void)data;
 	fixture.waiting = true;
-	assert_int_equal(accel_fence_wait(fixture.fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fixture.fence, -1, NULL, 0), 0);
 	end_here();
 	return NULL;
 }
@@ -149,13 +149,13 @@ static int use_all_in_child(void)
 	uint32_t word = 1;
 	int err;
 
-	must(accel_fence_wait(fixture.fence, -1, NULL) == -ENODEV);
-	must(accel_fence_wait(fixture.fence, 0, NULL) == -ENODEV);
+	must(accel_fence_wait(fixture.fence, -1, NULL, 0) == -ENODEV);
+	must(accel_fence_wait(fixture.fence, 0, NULL, 0) == -ENODEV);
 	must(accel_buffer_new(fixture.device, 4, &buffer) == -ENODEV);
 	must(accel_target_new(fixture.device, 64, 64, &target) == -ENODEV);
 	must(accel_buffer_write(fixture.buffer, 0, &word, 4) == -ENODEV);
 	must(accel_buffer_read(fixture.buffer, 0, &word, 4) == -ENODEV);
-	err = accel_device_clocks(fixture.device, &clocks);
+	err = accel_device_clocks(fixture.device, &clocks, sizeof(clocks));
 	must(err == -ENODEV || err == -ENOTSUP);
 	must(accel_stream_new(fixture.device, &stream) == 0);
 	must(accel_stream_slot(stream, fixture.buffer, ACCEL_SLOT_READ) == 0);
@@ -179,7 +179,7 @@ static void a_child_is_refused_and_frees_what_it_has(void **state)
 	assert_int_equal(child_run(use_all_in_child, SECONDS / 2), 0);
 	assert_int_equal(child_run(free_all_in_child, SECONDS / 2), 0);
 	fake_usb_release();
-	assert_int_equal(accel_fence_wait(fixture.fence, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(fixture.fence, -1, NULL, 0), 0);
 	assert_device_works();
 }
 

@@ -140,7 +140,7 @@ static void a_stream_with_lent_words_may_be_sent_again(void **state)
 	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), -ENOMEM);
 	fixture->device->ops = ops;
 	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), 0);
-	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), -EIO);
 	assert_int_equal(status.fault, GLOSS_FAULT_OPCODE);
 	assert_int_equal(status.offset, 5005);
 	accel_fence_free(fence);
@@ -165,7 +165,7 @@ static void lent_words_count_and_are_forgotten(void **state)
 	assert_int_equal(accel_stream_emit(fixture->stream, nops, 1), 0);
 	assert_int_equal(accel_stream_lend(fixture->stream, nops, 3), 0);
 	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), 0);
-	assert_int_equal(accel_fence_wait(fence, -1, &status), -EIO);
+	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), -EIO);
 	assert_int_equal(status.offset, 3);
 	accel_fence_free(fence);
 }
@@ -208,7 +208,7 @@ static struct accel_fence_status touch(struct accel_stream *stream, bool write)
 
 	assert_int_equal(accel_stream_emit(stream, words, count), 0);
 	assert_int_equal(accel_stream_submit(stream, &response, 1, &fence), 0);
-	accel_fence_wait(fence, -1, &status);
+	accel_fence_wait(fence, -1, &status, sizeof(status));
 	accel_fence_free(fence);
 	return status;
 }
@@ -312,7 +312,7 @@ static void an_empty_stream_is_a_job(void **state)
 	struct accel_fence *fence;
 
 	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, &fence), 0);
-	assert_int_equal(accel_fence_wait(fence, -1, &status), 0);
+	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), 0);
 	assert_int_equal(status.fault, 0);
 	assert_int_equal(status.offset, 0);
 	assert_int_equal(status.response_words, 0);
@@ -371,7 +371,7 @@ static const char *use_stream(struct accel_stream *stream, struct accel_buffer *
 	for (job = 0; job < JOBS + FLIGHT; job++) {
 		uint32_t at = job % FLIGHT;
 
-		if (fence[at] && accel_fence_wait(fence[at], -1, NULL))
+		if (fence[at] && accel_fence_wait(fence[at], -1, NULL, 0))
 			return "a job failed";
 		if (fence[at] && response[at] != (job - FLIGHT) * 3)
 			return "another's answer";

@@ -82,14 +82,14 @@ static void fill(struct accel_target *target, struct accel_buffer *buffer, uint3
 
 /* Reads with @gap bytes between rows, which must stay as they are. */
 static void check_read(struct accel_target *target, size_t gap, uint32_t of,
-		       int (*read)(struct accel_target *, void *, size_t))
+		       enum accel_plane plane)
 {
 	uint32_t x, y, width = (uint32_t)target->width, height = (uint32_t)target->height;
 	size_t pitch = width * 4 + gap, i;
 	uint8_t *pixels = malloc(pitch * height);
 
 	memset(pixels, 0xee, pitch * height);
-	assert_int_equal(read(target, pixels, pitch), 0);
+	assert_int_equal(accel_target_read(target, plane, NULL, pixels, pitch), 0);
 	for (y = 0; y < height; y++) {
 		for (x = 0; x < width; x++) {
 			uint32_t got;
@@ -117,10 +117,63 @@ static void every_pixel_is_read_at_its_place(void **state)
 		target = target_of(*state, size[i].width, size[i].height);
 		fill(target, target->colour, 1);
 		fill(target, target->depth, 2);
-		check_read(target, size[i].gap, 1, accel_target_read_colour);
-		check_read(target, size[i].gap, 2, accel_target_read_depth);
+		check_read(target, size[i].gap, 1, ACCEL_PLANE_COLOUR);
+		check_read(target, size[i].gap, 2, ACCEL_PLANE_DEPTH);
 		accel_target_free(target);
 	}
+}
+
+static void a_rectangle_is_read_alone(void **state)
+{
+	static const struct accel_rectangle parts[] = {
+		{ 0, 0, 300, 130 }, { 0, 0, 1, 1 }, { 299, 129, 1, 1 }, { 63, 63, 2, 3 },
+		{ 17, 0, 200, 130 }, { 0, 100, 300, 30 }, { 300, 130, 0, 0 }, { 5, 5, 0, 7 },
+		{ 5, 5, 7, 0 },
+	};
+	struct accel_target *target = target_of(*state, 300, 130);
+	static uint32_t pixels[301 * 131];
+
+	fill(target, target->colour, 1);
+	fill(target, target->depth, 2);
+	for (size_t n = 0; n < 2 * sizeof(parts) / sizeof(parts[0]); n++) {
+		const struct accel_rectangle *part = &parts[n / 2];
+		enum accel_plane plane = n % 2 ? ACCEL_PLANE_DEPTH : ACCEL_PLANE_COLOUR;
+		size_t row = (size_t)part->width + 1;
+
+		memset(pixels, 0xee, sizeof(pixels));
+		assert_int_equal(accel_target_read(target, plane, part, pixels, row * 4), 0);
+		for (size_t i = 0; i < row * (size_t)(part->height + 1); i++) {
+			uint32_t x = (uint32_t)(i % row), y = (uint32_t)(i / row);
+			bool in = x < (uint32_t)part->width && y < (uint32_t)part->height;
+
+			assert_int_equal(pixels[i], in ? pixel_at(x + (uint32_t)part->x,
+								  y + (uint32_t)part->y,
+								  n % 2 + 1) :
+							 0xeeeeeeee);
+		}
+	}
+	accel_target_free(target);
+}
+
+static void a_rectangle_beside_the_target_is_refused(void **state)
+{
+	static const struct accel_rectangle wrong[] = {
+		{ -1, 0, 1, 1 }, { 0, -1, 1, 1 }, { 10, 0, 1, 1 }, { 0, 10, 1, 1 },
+		{ 0, 0, 11, 1 }, { 0, 0, 1, 11 }, { 1, 0, 10, 1 }, { 0, 0, -1, 1 },
+		{ 0, 0, 1, -1 }, { INT32_MAX, 0, INT32_MAX, 1 }, { 1, 1, INT32_MAX, INT32_MAX },
+		{ INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN }, { 11, 0, 0, 0 },
+	};
+	struct fixture *fixture = *state;
+	struct accel_target *target = target_of(fixture, 10, 10);
+	uint32_t pixel;
+
+	for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++)
+		assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, &wrong[i], &pixel,
+						   1 << 20), -EINVAL);
+	assert_message(&fixture->messages, "0 x 0 pixels at 11, 0 of a target of 10 x 10");
+	assert_int_equal(accel_target_read(target, (enum accel_plane)2, NULL, &pixel, 40), -EINVAL);
+	assert_message(&fixture->messages, "a target has no plane 2");
+	accel_target_free(target);
 }
 
 static void a_new_target_is_zero(void **state)
@@ -132,10 +185,10 @@ static void a_new_target_is_zero(void **state)
 	fill(target, target->depth, 1);
 	accel_target_free(target);
 	target = target_of(*state, 65, 65);
-	assert_int_equal(accel_target_read_colour(target, pixels, 65 * 4), 0);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 65 * 4), 0);
 	for (i = 0; i < 65 * 65; i++)
 		assert_int_equal(pixels[i], 0);
-	assert_int_equal(accel_target_read_depth(target, pixels, 65 * 4), 0);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_DEPTH, NULL, pixels, 65 * 4), 0);
 	for (i = 0; i < 65 * 65; i++)
 		assert_int_equal(pixels[i], 0);
 	accel_target_free(target);
@@ -147,11 +200,11 @@ static void a_pitch_too_small_or_between_words_is_refused(void **state)
 	struct accel_target *target = target_of(fixture, 10, 10);
 	uint32_t pixels[11 * 10];
 
-	assert_int_equal(accel_target_read_colour(target, pixels, 36), -EINVAL);
-	assert_int_equal(accel_target_read_depth(target, pixels, 0), -EINVAL);
-	assert_int_equal(accel_target_read_colour(target, pixels, 42), -EINVAL);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 36), -EINVAL);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_DEPTH, NULL, pixels, 0), -EINVAL);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 42), -EINVAL);
 	assert_message(&fixture->messages, "a pitch of 42 bytes for rows of 10 pixels");
-	assert_int_equal(accel_target_read_colour(target, pixels, 44), 0);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 44), 0);
 	accel_target_free(target);
 }
 
@@ -180,6 +233,8 @@ int main(void)
 		target_test(a_side_out_of_range_is_refused),
 		target_test(surfaces_are_padded_to_whole_tiles),
 		target_test(every_pixel_is_read_at_its_place),
+		target_test(a_rectangle_is_read_alone),
+		target_test(a_rectangle_beside_the_target_is_refused),
 		target_test(a_new_target_is_zero),
 		target_test(a_pitch_too_small_or_between_words_is_refused),
 		cmocka_unit_test(a_target_that_does_not_fit_leaves_no_memory_taken),

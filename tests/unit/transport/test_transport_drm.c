@@ -486,7 +486,7 @@ static void draw(const char *name, uint32_t pixel[64 * 64])
 	assert_int_equal(accel_state_new(&state), 0);
 	assert_int_equal(accel_draw_mesh(draw, target, state, &mesh), 0);
 	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	assert_int_equal(accel_target_read_colour(target, pixel, 64 * 4), 0);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixel, 64 * 4), 0);
 	accel_draw_free(draw);
 	accel_state_free(state);
 	accel_target_free(target);
@@ -513,13 +513,13 @@ static void clocks_are_what_the_kernel_tells(void **state)
 
 	(void)state;
 	device = device_open("drm:", &messages);
-	assert_int_equal(accel_device_clocks(device, &clocks), -ENOTSUP);
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), -ENOTSUP);
 	fake_gloss.has_clock = true;
-	assert_int_equal(accel_device_clocks(device, &clocks), 0);
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), 0);
 	assert_memory_equal(&clocks, &told, sizeof(clocks));
 	fake_gloss.fail_at = 1;
 	fake_gloss.fail_errno = ENODEV;
-	assert_int_equal(accel_device_clocks(device, &clocks), -ENODEV);
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), -ENODEV);
 	accel_device_free(device);
 }
 

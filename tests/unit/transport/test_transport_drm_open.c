@@ -67,7 +67,7 @@ static void the_board_says_what_it_is(void **state)
 
 	(void)state;
 	assert_int_equal(open_name("drm:", &device), 0);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_string_equal(info.name,
 			    "Gloss PCI board /dev/dri/renderD128, 64-pixel tiles, 8 lanes");
 	assert_int_equal(info.tile_size, 64);
@@ -85,7 +85,7 @@ static void a_board_with_a_long_path_says_what_it_is(void **state)
 
 	(void)state;
 	assert_int_equal(open_name(name, &device), 0);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_string_equal(info.name, "Gloss PCI board, 64-pixel tiles, 8 lanes");
 	accel_device_free(device);
 }
@@ -251,7 +251,7 @@ static void auto_takes_the_model_without_a_board_and_says_nothing(void **state)
 	(void)state;
 	fake_gloss.node[0].present = fake_gloss.module_loaded = false;
 	assert_int_equal(open_name("auto", &device), 0);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_non_null(strstr(info.name, "model"));
 	assert_int_equal(messages.count, 0);
 	accel_device_free(device);

@@ -83,7 +83,7 @@ static void options_reach_the_core(void **state)
 
 	(void)state;
 	assert_int_equal(open_name("sim:lanes=1,stalls=77,memory=16384", &device), 0);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_int_equal(info.tile_size, 64);
 	assert_int_equal(info.pixels_per_clock, 1);
 	assert_int_equal(info.memory_size, 16384);
@@ -142,12 +142,12 @@ static void clocks_add_up_over_jobs_that_ended(void **state)
 
 	(void)state;
 	assert_int_equal(open_name("sim:lanes=1", &device), 0);
-	assert_int_equal(accel_device_clocks(device, &clocks), 0);
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), 0);
 	assert_int_equal(clocks.clocks, 0);
 	assert_int_equal(run(device, 0, 0, response), 0);
 	assert_int_equal(run(device, ETIME, 0, response), -EIO);
 	assert_int_equal(run(device, 0, 0, response), 0);
-	assert_int_equal(accel_device_clocks(device, &clocks), 0);
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), 0);
 	assert_int_equal(clocks.clocks, 2);
 	assert_int_equal(clocks.stall_stream, 40);
 	assert_int_equal(clocks.stall_raster, 600);

@@ -39,7 +39,7 @@ static void side_run(struct side *side, const uint32_t *words, size_t count)
 	accel_stream_slot(side->stream, side->buffer, ACCEL_SLOT_READ | ACCEL_SLOT_WRITE);
 	assert_int_equal(accel_stream_emit(side->stream, words, count), 0);
 	assert_int_equal(accel_stream_submit(side->stream, side->response, RESPONSE, &fence), 0);
-	side->result = accel_fence_wait(fence, -1, &side->status);
+	side->result = accel_fence_wait(fence, -1, &side->status, sizeof(side->status));
 	accel_fence_free(fence);
 	assert_int_equal(accel_buffer_read(side->buffer, 0, side->memory, WORDS * 4), 0);
 }
@@ -147,9 +147,9 @@ static void cores_of_two_kinds_run_in_one_program(void **state)
 	(void)state;
 	large = device_open("sim:", &messages);
 	small = device_open("sim:tile=32,lanes=1", &messages);
-	accel_device_info(large, &info);
+	accel_device_info(large, &info, sizeof(info));
 	assert_int_equal(info.pixels_per_clock, 8);
-	accel_device_info(small, &info);
+	accel_device_info(small, &info, sizeof(info));
 	assert_int_equal(info.pixels_per_clock, 1);
 	random_jobs("sim:", "model:");
 	accel_device_free(large);
@@ -168,10 +168,10 @@ static void the_core_counts_its_clocks(void **state)
 	(void)state;
 	device = device_open("sim:", &messages);
 	assert_int_equal(accel_buffer_new(device, sizeof(words), &buffer), 0);
-	assert_int_equal(accel_device_clocks(device, &before), 0);
+	assert_int_equal(accel_device_clocks(device, &before, sizeof(before)), 0);
 	assert_int_equal(before.clocks, 0);
 	assert_int_equal(accel_buffer_write(buffer, 0, words, sizeof(words)), 0);
-	assert_int_equal(accel_device_clocks(device, &after), 0);
+	assert_int_equal(accel_device_clocks(device, &after, sizeof(after)), 0);
 	assert_true(after.clocks >= 256 && after.clocks < 10000);
 	accel_buffer_free(buffer);
 	accel_device_free(device);

@@ -71,7 +71,7 @@ static void assert_clocks(struct accel_device *device, uint64_t clocks, uint64_t
 {
 	struct accel_device_clocks now;
 
-	assert_int_equal(accel_device_clocks(device, &now), 0);
+	assert_int_equal(accel_device_clocks(device, &now, sizeof(now)), 0);
 	assert_int_equal(now.clocks, clocks);
 	assert_int_equal(now.stall_stream, stalls);
 	assert_int_equal(now.stall_raster, 2 * stalls);
@@ -165,7 +165,7 @@ static void a_board_without_a_clock_says_so_once_it_has_done_a_job(void **state)
 
 	assert_clocks(*state, 0, 0);
 	assert_int_equal(run_job(*state), 0);
-	assert_int_equal(accel_device_clocks(*state, &clocks), -ENOTSUP);
+	assert_int_equal(accel_device_clocks(*state, &clocks, sizeof(clocks)), -ENOTSUP);
 }
 
 static void a_board_that_is_gone_has_no_clocks(void **state)
@@ -173,12 +173,12 @@ static void a_board_that_is_gone_has_no_clocks(void **state)
 	struct accel_device_clocks clocks;
 
 	fake_usb_fail("libusb_control_transfer", 1, LIBUSB_ERROR_PIPE);
-	assert_int_equal(accel_device_clocks(*state, &clocks), -EIO);
+	assert_int_equal(accel_device_clocks(*state, &clocks, sizeof(clocks)), -EIO);
 	fake_usb_unplug(0);
-	assert_int_equal(accel_device_clocks(*state, &clocks), -ENODEV);
+	assert_int_equal(accel_device_clocks(*state, &clocks, sizeof(clocks)), -ENODEV);
 	while (run_job(*state) != -ENODEV)
 		;
-	assert_int_equal(accel_device_clocks(*state, &clocks), -ENODEV);
+	assert_int_equal(accel_device_clocks(*state, &clocks, sizeof(clocks)), -ENODEV);
 }
 
 struct asker {
@@ -193,7 +193,7 @@ static void *ask_in_thread(void *data)
 	struct accel_device_clocks clocks;
 
 	while (!asker->stop)
-		accel_device_clocks(asker->device, &clocks);
+		accel_device_clocks(asker->device, &clocks, sizeof(clocks));
 	return NULL;
 }
 

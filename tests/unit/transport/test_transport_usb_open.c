@@ -45,7 +45,7 @@ static void assert_opens(const char *name, const char *what)
 	messages.count = 0;
 	if (open_name(name, &device))
 		fail_msg("%s does not open: %s", name, messages.last);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_string_equal(info.name, what);
 	assert_int_equal(messages.count, 0);
 	accel_device_free(device);
@@ -73,7 +73,7 @@ static void the_board_says_what_it_is(void **state)
 
 	(void)state;
 	assert_int_equal(open_name("usb:", &device), 0);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_string_equal(info.name, BOARD("VIRTUAL0"));
 	assert_int_equal(info.tile_size, 64);
 	assert_int_equal(info.pixels_per_clock, 1);
@@ -479,7 +479,7 @@ static void auto_takes_the_model_without_a_board_and_says_nothing(void **state)
 	(void)state;
 	fake_usb_unplug(0);
 	assert_int_equal(open_name("auto", &device), 0);
-	accel_device_info(device, &info);
+	accel_device_info(device, &info, sizeof(info));
 	assert_non_null(strstr(info.name, "model"));
 	assert_int_equal(messages.count, 0);
 	accel_device_free(device);

@@ -47,7 +47,7 @@ static void *send_in_thread(void *data)
 		assert_int_equal(accel_stream_submit(sender->stream, NULL, 0, &fence[i]), 0);
 	}
 	for (int i = 0; i < 2; i++) {
-		assert_int_equal(accel_fence_wait(fence[i], -1, NULL), 0);
+		assert_int_equal(accel_fence_wait(fence[i], -1, NULL, 0), 0);
 		accel_fence_free(fence[i]);
 	}
 	return NULL;
@@ -88,7 +88,7 @@ static struct accel_fence *ended_job(struct accel_device *device)
 	accel_stream_emit(stream, words, packet_write(words, 0, 0, 1));
 	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
 	assert_int_equal(accel_stream_submit(stream, NULL, 0, &later), 0);
-	assert_int_equal(accel_fence_wait(later, -1, NULL), 0);
+	assert_int_equal(accel_fence_wait(later, -1, NULL, 0), 0);
 	accel_fence_free(later);
 	accel_stream_free(stream);
 	accel_buffer_free(buffer);
@@ -102,7 +102,7 @@ static void a_wait_of_no_time_does_not_wait_while_another_thread_submits(void **
 	struct sender sender;
 
 	start_sender(*state, &sender);
-	assert_int_equal(accel_fence_wait(fence, 0, NULL), 0);
+	assert_int_equal(accel_fence_wait(fence, 0, NULL, 0), 0);
 	accel_fence_free(fence);
 	assert_int_equal(accel_stream_new(*state, &stream), 0);
 	accel_stream_free(stream);
@@ -111,7 +111,7 @@ static void a_wait_of_no_time_does_not_wait_while_another_thread_submits(void **
 	assert_int_equal(accel_stream_new(*state, &stream), 0);
 	fake_usb_hold();
 	assert_int_equal(accel_stream_submit(stream, NULL, 0, &running), 0);
-	assert_int_equal(accel_fence_wait(running, 0, NULL), -ETIMEDOUT);
+	assert_int_equal(accel_fence_wait(running, 0, NULL, 0), -ETIMEDOUT);
 	fake_usb_release();
 	accel_fence_free(running);
 	accel_stream_free(stream);
@@ -226,7 +226,7 @@ static void a_submit_ends_though_clearing_fails_for_ever(void **state)
 
 	err = accel_stream_submit(stream, NULL, 0, &fence);
 	if (!err) {
-		err = accel_fence_wait(fence, -1, NULL);
+		err = accel_fence_wait(fence, -1, NULL, 0);
 		accel_fence_free(fence);
 	}
 	assert_int_equal(err, -EIO);
