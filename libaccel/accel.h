@@ -427,7 +427,9 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
  *
  * Pixels are covered by OpenGL's rule, with vertices rounded to 1/16 pixel. Shading changes
  * neither which pixels are covered nor their depth, so passes with different shading meet.
- * Edges are exact as long as the clip coordinates of a triangle are at most 2^50 times its w.
+ * Edges are exact as long as the clip coordinates of a triangle are at most 2^90 times its w.
+ * Light is worked out in single precision: that of a lamp near a triangle that reaches far
+ * beyond what is seen is not exact.
  *
  * With ACCEL_SHADING_GOURAUD, and without lighting with ACCEL_SHADING_ADAPTIVE, the colours of
  * vertices are linear in space between them, also on clipped triangles. They are within 2/255,

@@ -2,17 +2,79 @@
 /*
  * Clipping (Sutherland and Hodgman 1974). A new corner is always worked out from the corner inside
  * towards the one outside, so neighbours get the same corner on the edge they share.
+ *
+ * An edge may come from where a double's last digit is larger than all that is seen, and yet pass
+ * through the window: along it numbers are wide.
  */
 #include "draw/draw_priv.h"
+#include "draw/wide.h"
 
-static void clip_between(const struct accel_corner *inside, const struct accel_corner *outside, double t,
-		    struct accel_corner *corner)
+static struct accel_wide clip_place(const struct accel_corner *corner, int i)
+{
+	return (struct accel_wide){ corner->clip[i], corner->rest[i] };
+}
+
+void accel_clip_corner(const struct accel_transform *transform, const float position[3],
+		       struct accel_corner *corner)
+{
+	const double *m = transform->clip;
+
+	accel_geometry_clip_space(transform, position, corner->clip);
+	for (int row = 0; row < 4; row++) {
+		struct accel_wide sum = { m[12 + row], 0 };
+
+		for (int i = 0; i < 3; i++)
+			sum = accel_wide_add(sum, accel_wide_of_product(m[4 * i + row],
+									(double)position[i]));
+		corner->rest[row] = (sum.high - corner->clip[row]) + sum.low;
+	}
+}
+
+/* A plane's distance as a sum: of clip space's coordinates times factors, and a constant. */
+struct clip_plane {
+	double factor[4], constant;
+};
+
+static void clip_find_plane(const struct accel_window *window, int number, struct clip_plane *plane)
+{
+	static const double zero[4];
+
+	plane->constant = accel_geometry_distance(window, number, zero);
+	for (int i = 0; i < 4; i++) {
+		const double one[4] = { i == 0, i == 1, i == 2, i == 3 };
+
+		plane->factor[i] = accel_geometry_distance(window, number, one) - plane->constant;
+	}
+}
+
+static struct accel_wide clip_distance(const struct clip_plane *plane,
+				       const struct accel_corner *corner)
+{
+	struct accel_wide sum = { plane->constant, 0 };
+
+	for (int i = 0; i < 4; i++)
+		if (plane->factor[i] != 0)
+			sum = accel_wide_add(sum, accel_wide_scale(clip_place(corner, i),
+								   plane->factor[i]));
+	return sum;
+}
+
+/* @da, @db: their distances from the plane. */
+static void clip_between(const struct accel_corner *inside, const struct accel_corner *outside,
+			 struct accel_wide da, struct accel_wide db, struct accel_corner *corner)
 {
 	const struct accel_vertex *a = &inside->vertex, *b = &outside->vertex;
-	float s = (float)t;
+	struct accel_wide t =
+		accel_wide_divide(da, accel_wide_add(da, accel_wide_negative(db)));
+	float s = (float)t.high;
 
 	for (int i = 0; i < 4; i++) {
-		corner->clip[i] = inside->clip[i] + t * (outside->clip[i] - inside->clip[i]);
+		struct accel_wide from = clip_place(inside, i), way;
+
+		way = accel_wide_add(clip_place(outside, i), accel_wide_negative(from));
+		way = accel_wide_add(from, accel_wide_multiply(t, way));
+		corner->clip[i] = way.high;
+		corner->rest[i] = way.low;
 		corner->vertex.sample.colour[i] = a->sample.colour[i] +
 			s * (b->sample.colour[i] - a->sample.colour[i]);
 	}
@@ -27,22 +89,24 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 }
 
 /* Rounding may let a sliver cross a plane more than twice; what does not fit is left out. */
-static int clip_cut(const struct accel_window *window, int plane, const struct accel_corner *in,
-	       int corners, struct accel_corner *out)
+static int clip_cut(const struct clip_plane *plane, const struct accel_corner *in, int corners,
+		    struct accel_corner *out)
 {
+	struct accel_wide d[ACCEL_POLYGON_MAX];
 	int kept = 0;
 
+	for (int i = 0; i < corners; i++)
+		d[i] = clip_distance(plane, &in[i]);
 	for (int i = 0; i < corners && kept + 2 <= ACCEL_POLYGON_MAX; i++) {
-		const struct accel_corner *a = &in[i], *b = &in[(i + 1) % corners];
-		double da = accel_geometry_distance(window, plane, a->clip);
-		double db = accel_geometry_distance(window, plane, b->clip);
+		int next = (i + 1) % corners;
+		bool inside = d[i].high >= 0, next_inside = d[next].high >= 0;
 
-		if (da >= 0)
-			out[kept++] = *a;
-		if (da >= 0 && db < 0)
-			clip_between(a, b, da / (da - db), &out[kept++]);
-		else if (da < 0 && db >= 0)
-			clip_between(b, a, db / (db - da), &out[kept++]);
+		if (inside)
+			out[kept++] = in[i];
+		if (inside && !next_inside)
+			clip_between(&in[i], &in[next], d[i], d[next], &out[kept++]);
+		else if (!inside && next_inside)
+			clip_between(&in[next], &in[i], d[next], d[i], &out[kept++]);
 	}
 	return kept;
 }
@@ -51,14 +115,16 @@ int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
 		       struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	struct accel_corner copy[ACCEL_POLYGON_MAX];
+	struct clip_plane plane;
 	int corners = 3;
 
-	for (int plane = 0; plane < ACCEL_CLIP_PLANES && corners; plane++) {
-		if (!(planes >> plane & 1))
+	for (int number = 0; number < ACCEL_CLIP_PLANES && corners; number++) {
+		if (!(planes >> number & 1))
 			continue;
+		clip_find_plane(window, number, &plane);
 		for (int i = 0; i < corners; i++)
 			copy[i] = polygon[i];
-		corners = clip_cut(window, plane, copy, corners, polygon);
+		corners = clip_cut(&plane, copy, corners, polygon);
 	}
 	for (int i = 0; i < corners; i++)
 		accel_geometry_project(window, polygon[i].clip, &polygon[i].vertex);

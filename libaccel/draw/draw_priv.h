@@ -142,9 +142,13 @@ double accel_geometry_distance(const struct accel_window *window, int plane,
 #define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_PLANES + 1)
 
 struct accel_corner {
-	double clip[4];
+	double clip[4], rest[4];	/* rest: what clip is short of */
 	struct accel_vertex vertex;
 };
+
+/* Sets clip and rest. */
+void accel_clip_corner(const struct accel_transform *transform, const float position[3],
+		       struct accel_corner *corner);
 
 /*
  * Cuts a triangle, in polygon[0..2], by the planes in @planes. Returns the corners left, 0 or 3 to

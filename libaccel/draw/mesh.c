@@ -140,8 +140,7 @@ static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const v
 		struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	for (int i = 0; i < 3; i++) {
-		accel_geometry_clip_space(&pass->transform, pass->mesh->position[index[i]],
-					  polygon[i].clip);
+		accel_clip_corner(&pass->transform, pass->mesh->position[index[i]], &polygon[i]);
 		polygon[i].vertex = *vertex[i];
 		polygon[i].vertex.sampled = 0;
 	}

@@ -221,6 +221,57 @@ static void a_floor_without_end_is_drawn_to_the_horizon(void **state)
 	assert_true(check_parallelogram(f, &p, 0) > SIDE * SIDE / 3);
 }
 
+struct huge {
+	struct picture picture;
+	uint32_t colour[SIDE * SIDE], depth[SIDE * SIDE];
+};
+
+static void draw_floor(struct fixture *f, float size, float turn, struct huge *huge)
+{
+	const struct parallelogram p = {
+		{ -size, -1, size }, { { 2 * size, 0, 0 }, { 0, 0, -2 * size } }
+	};
+	const float c = cosf(turn), s = sinf(turn), look[16] = {
+		c, -s * 0.28f, s * 0.96f, 0, 0, 0.96f, 0.28f, 0, -s, -c * 0.28f, c * 0.96f, 0,
+		0, 0, 0, 1
+	};
+
+	memset(huge, 0, sizeof(*huge));
+	huge->picture = (struct picture){ SIDE, huge->colour, huge->depth };
+	accel_state_set_modelview(f->state, look);
+	draw_parallelogram(f, &p);
+	records_of_bin(&f->draw->bin, picture_record, &huge->picture);
+}
+
+/* What is seen of it is the same. Single numbers end where a float does. */
+static void a_floor_of_any_size_is_the_same_floor(void **state)
+{
+	static const float sizes[] = { 1e6f, 1e9f, 1e13f, 1e16f, 1e20f, 1e25f, 1e27f };
+	static struct huge large, huge;
+	static uint8_t wanted[SIDE * SIDE];
+	struct fixture *f = *state;
+
+	for (int turn = 0; turn < 12; turn++) {
+		long covered = 0;
+
+		draw_floor(f, 1e3f, 0.55f * (float)turn, &large);
+		memcpy(wanted, counts, sizeof(counts));
+		for (size_t i = 0; i < sizeof(sizes) / sizeof(*sizes); i++) {
+			draw_floor(f, sizes[i], 0.55f * (float)turn, &huge);
+			for (int at = 0; at < SIDE * SIDE; at++) {
+				int64_t depth = (int64_t)huge.depth[at] - large.depth[at];
+
+				covered += counts[at];
+				if (counts[at] != wanted[at] || llabs(depth) > 64)
+					fail_msg("size %g, turn %d, pixel %d: drawn %d times, not "
+						 "%d, depth %lld off", (double)sizes[i], turn, at,
+						 counts[at], wanted[at], (long long)depth);
+			}
+		}
+		assert_true(covered > SIDE * SIDE / 8);
+	}
+}
+
 static void what_is_behind_the_viewer_or_beside_the_view_draws_nothing(void **state)
 {
 	struct fixture *f = *state;
@@ -248,6 +299,8 @@ int main(void)
 		cmocka_unit_test_setup_teardown(random_shapes_are_drawn_where_rays_meet_them, setup,
 						teardown),
 		cmocka_unit_test_setup_teardown(a_floor_without_end_is_drawn_to_the_horizon, setup,
+						teardown),
+		cmocka_unit_test_setup_teardown(a_floor_of_any_size_is_the_same_floor, setup,
 						teardown),
 		cmocka_unit_test_setup_teardown(
 			what_is_behind_the_viewer_or_beside_the_view_draws_nothing, setup,

@@ -45,7 +45,7 @@ static struct accel_light lamp(void)
 
 static void huge_coordinates_cover_the_window(void)
 {
-	for (int power = 0; power <= 50; power += 5) {
+	for (int power = 0; power <= 90; power += 5) {
 		float position[4][3], far = ldexpf(1, power);
 		struct accel_mesh mesh = strip(position, 4);
 
