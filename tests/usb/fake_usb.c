@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The bus of fake_usb.h as a test has it in hand. */
+#include <sched.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +11,34 @@
 struct fake_usb fake_usb;
 struct fake_state fake = { .lock = PTHREAD_MUTEX_INITIALIZER };
 
+static _Atomic unsigned int waiting;	/* for fake.lock */
+
 static uint8_t memory[FAKE_USB_BOARDS][FAKE_USB_BOARD_BYTES] __attribute__((aligned(4096)));
+
+void fake_lock(void)
+{
+	waiting++;
+	pthread_mutex_lock(&fake.lock);
+	waiting--;
+}
+
+void fake_unlock(void)
+{
+	pthread_mutex_unlock(&fake.lock);
+}
+
+/* The processor may come back late on a busy machine, so it is only given away for somebody. */
+void fake_give_way(void)
+{
+	static unsigned int rounds;
+
+	/* Of those that waited for a condition nobody knows; and time must not leap away from them. */
+	if (!waiting && ++rounds % (fake.leap_always ? 8 : 64))
+		return;
+	fake_unlock();
+	sched_yield();
+	fake_lock();
+}
 
 void fake_violation(const char *format, ...)
 {
@@ -138,7 +166,7 @@ void fake_usb_arm(unsigned int board, enum fake_usb_fault fault, uint64_t at, ui
 {
 	struct fake_bridge *bridge = &fake.bridge[board];
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	bridge->at[fault] = at;
 	bridge->value[fault] = value;
 	if (fault == FAKE_USB_GARBAGE_EVENT)
@@ -146,12 +174,12 @@ void fake_usb_arm(unsigned int board, enum fake_usb_fault fault, uint64_t at, ui
 	if (fault == FAKE_USB_DELAY || fault == FAKE_USB_GARBAGE_EVENT)
 		fake_usb.fired++;
 	pthread_cond_broadcast(&fake.changed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 void fake_usb_disarm(void)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake.fail_at = 0;
 	fake.fail_always = false;
 	for (struct fake_bridge *b = fake.bridge; b < fake.bridge + FAKE_USB_BOARDS; b++) {
@@ -163,52 +191,52 @@ void fake_usb_disarm(void)
 	}
 	fake.hurry = false;
 	pthread_cond_broadcast(&fake.changed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 unsigned int fake_usb_fired(void)
 {
 	unsigned int fired;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fired = fake_usb.fired;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return fired;
 }
 
 void fake_usb_fail(const char *function, unsigned int at, int error)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake.fail_function = function;
 	fake.fail_at = at;
 	fake.fail_error = error;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 void fake_usb_fail_always(const char *function, int error)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake.fail_function = function;
 	fake.fail_always = true;
 	fake.fail_error = error;
 	fake.hurry = true;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 void fake_usb_limit_memory(size_t bytes)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake.memory_limit = bytes;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 unsigned int fake_usb_bulk_submits(void)
 {
 	unsigned int submits;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	submits = fake_usb.submits - fake_usb.control_submits;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return submits;
 }
 
@@ -216,10 +244,10 @@ unsigned int fake_usb_take_depth_in(void)
 {
 	unsigned int depth;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	depth = fake_usb.depth_in;
 	fake_usb.depth_in = 0;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return depth;
 }
 
@@ -227,33 +255,33 @@ unsigned int fake_usb_take_depth_in(void)
 
 void fake_usb_unplug(unsigned int board)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_bridge_unplug(&fake.bridge[board]);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 void fake_usb_plug(unsigned int board, bool power)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	if (power)
 		memset(memory[board], (int)fake_below(256), sizeof(memory[board]));
 	fake_bridge_plug(&fake.bridge[board], power);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 void fake_usb_kill(void)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_device_kill();
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 static void set_held(bool held)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake.held = held;
 	pthread_cond_broadcast(&fake.changed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 void fake_usb_hold(void)
@@ -268,10 +296,10 @@ void fake_usb_release(void)
 
 void fake_usb_leap(bool always)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake.leap_always = always;
 	pthread_cond_broadcast(&fake.changed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 uint8_t *fake_usb_memory(unsigned int board)

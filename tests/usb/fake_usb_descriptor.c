@@ -36,7 +36,7 @@ int libusb_get_device_descriptor(libusb_device *device, struct libusb_device_des
 	const struct fake_usb_board *board;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	board = fake_device_board(fake_device_check(device, __func__));
 	err = fake_call(__func__);
 	if (!err)
@@ -53,7 +53,7 @@ int libusb_get_device_descriptor(libusb_device *device, struct libusb_device_des
 			.iSerialNumber = board_text_index(board, 3),
 			.bNumConfigurations = 1,
 		};
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -99,7 +99,7 @@ int libusb_get_active_config_descriptor(libusb_device *device,
 	struct configuration *c = configurations;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_device_check(device, __func__);
 	err = fake_call(__func__);
 	while (!err && c < configurations + CONFIGURATIONS && c->used)
@@ -111,7 +111,7 @@ int libusb_get_active_config_descriptor(libusb_device *device,
 		*out = &c->config;
 		fake_usb.configurations++;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -125,7 +125,7 @@ void libusb_free_config_descriptor(struct libusb_config_descriptor *config)
 {
 	if (!config)
 		return;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	for (struct configuration *c = configurations; c < configurations + CONFIGURATIONS; c++) {
 		if (&c->config != config)
 			continue;
@@ -135,7 +135,7 @@ void libusb_free_config_descriptor(struct libusb_config_descriptor *config)
 		c->used = false;
 		fake_usb.configurations--;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 int libusb_get_string_descriptor_ascii(libusb_device_handle *handle, uint8_t index,
@@ -144,7 +144,7 @@ int libusb_get_string_descriptor_ascii(libusb_device_handle *handle, uint8_t ind
 	const char *text;
 	int err, count = 0;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	if (!err && !fake_handle_alive(handle))
@@ -160,6 +160,6 @@ int libusb_get_string_descriptor_ascii(libusb_device_handle *handle, uint8_t ind
 	}
 	if (!err)
 		data[count] = 0;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err ? err : count;
 }

@@ -31,7 +31,7 @@ int libusb_init(libusb_context **out)
 	struct libusb_context *context = contexts;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	err = fake_call(__func__);
 	while (!err && context < contexts + FAKE_CONTEXTS && context->used)
 		context++;
@@ -42,13 +42,13 @@ int libusb_init(libusb_context **out)
 		*out = context;
 		fake_usb.contexts++;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
 void libusb_exit(libusb_context *context)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_context_check(context, __func__);
 	if (context->handled)
 		fake_violation("%s: somebody handles events", __func__);
@@ -62,7 +62,7 @@ void libusb_exit(libusb_context *context)
 		}
 	context->used = false;
 	fake_usb.contexts--;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 int libusb_set_option(libusb_context *context, enum libusb_option option, ...)
@@ -70,11 +70,11 @@ int libusb_set_option(libusb_context *context, enum libusb_option option, ...)
 	int err;
 
 	(void)option;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	err = fake_call(__func__);
 	if (context)
 		fake_context_check(context, __func__);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -173,7 +173,7 @@ ssize_t libusb_get_device_list(libusb_context *context, libusb_device ***out)
 	struct list *list = lists;
 	ssize_t count;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_context_check(context, __func__);
 	count = fake_call(__func__);
 	while (list < lists + FAKE_CONTEXTS && list->used)
@@ -186,7 +186,7 @@ ssize_t libusb_get_device_list(libusb_context *context, libusb_device ***out)
 		*out = list->device;
 		fake_usb.lists++;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return count;
 }
 
@@ -196,7 +196,7 @@ void libusb_free_device_list(libusb_device **device, int unref_devices)
 
 	if (!device)
 		return;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	while (list < lists + FAKE_CONTEXTS && (list->device != device || !list->used))
 		list++;
 	if (list == lists + FAKE_CONTEXTS)
@@ -205,14 +205,14 @@ void libusb_free_device_list(libusb_device **device, int unref_devices)
 		fake_device_put(fake_device_check(*device, __func__));
 	list->used = false;
 	fake_usb.lists--;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 libusb_device *libusb_ref_device(libusb_device *device)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_device_check(device, __func__)->references++;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return device;
 }
 
@@ -220,9 +220,9 @@ void libusb_unref_device(libusb_device *device)
 {
 	if (!device)
 		return;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_device_put(fake_device_check(device, __func__));
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 const struct fake_usb_board *fake_device_board(const struct libusb_device *device)
@@ -287,9 +287,9 @@ static void hotplug_call(const struct hotplug *hotplug, struct libusb_device *de
 	if (!(called.events & event))
 		return;
 	device->references++;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	called.callback(called.context, device, event, called.data);
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_device_put(device);
 }
 
@@ -320,7 +320,7 @@ int libusb_hotplug_register_callback(libusb_context *context, int events, int fl
 	(void)vendor;
 	(void)product;
 	(void)class;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_context_check(context, __func__);
 	err = fake_call(__func__);
 	if (flags & LIBUSB_HOTPLUG_ENUMERATE)
@@ -335,18 +335,18 @@ int libusb_hotplug_register_callback(libusb_context *context, int events, int fl
 		if (out)
 			*out = n + 1;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
 void libusb_hotplug_deregister_callback(libusb_context *context,
 					libusb_hotplug_callback_handle handle)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_context_check(context, __func__);
 	if (handle > 0 && handle <= HOTPLUGS && hotplugs[handle - 1].context == context) {
 		hotplugs[handle - 1].context = NULL;
 		fake_usb.hotplug_callbacks--;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }

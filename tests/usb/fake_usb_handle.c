@@ -27,7 +27,7 @@ int libusb_open(libusb_device *device, libusb_device_handle **out)
 	struct libusb_device_handle *handle = handles;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_device_check(device, __func__);
 	err = fake_call(__func__);
 	if (!err && !fake_device_alive(device))
@@ -44,7 +44,7 @@ int libusb_open(libusb_device *device, libusb_device_handle **out)
 		fake_usb.handles++;
 		*out = handle;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -99,14 +99,14 @@ int libusb_kernel_driver_active(libusb_device_handle *handle, int interface)
 {
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	if (!err && !fake_handle_alive(handle))
 		err = LIBUSB_ERROR_NO_DEVICE;
 	if (!err)
 		err = interface == 0 && fake_device_board(handle->device)->kernel_driver;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -114,14 +114,14 @@ void libusb_close(libusb_device_handle *handle)
 {
 	if (!handle)
 		return;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	for (int n = 0; n < FAKE_INTERFACES; n++)
 		handle_release(handle, n);
 	fake_device_put(handle->device);
 	handle->used = false;
 	fake_usb.handles--;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 libusb_device *libusb_get_device(libusb_device_handle *handle)
@@ -134,7 +134,7 @@ int libusb_claim_interface(libusb_device_handle *handle, int interface)
 {
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	if (!err && !fake_handle_alive(handle))
@@ -150,7 +150,7 @@ int libusb_claim_interface(libusb_device_handle *handle, int interface)
 			fake_usb.claims++;
 		}
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -158,7 +158,7 @@ int libusb_release_interface(libusb_device_handle *handle, int interface)
 {
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	if (!err && (interface < 0 || interface >= FAKE_INTERFACES || !handle->claimed[interface]))
@@ -167,7 +167,7 @@ int libusb_release_interface(libusb_device_handle *handle, int interface)
 		handle_release(handle, interface);
 	if (!err && !fake_handle_alive(handle))
 		err = LIBUSB_ERROR_NO_DEVICE;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -175,13 +175,13 @@ int libusb_get_configuration(libusb_device_handle *handle, int *configuration)
 {
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	if (!err && !fake_handle_alive(handle))
 		err = LIBUSB_ERROR_NO_DEVICE;
 	*configuration = 1;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -190,10 +190,10 @@ int libusb_set_auto_detach_kernel_driver(libusb_device_handle *handle, int enabl
 	int err;
 
 	(void)enable;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -202,7 +202,7 @@ int libusb_clear_halt(libusb_device_handle *handle, unsigned char endpoint)
 	struct fake_bridge *bridge;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	bridge = fake_handle_bridge(handle);
@@ -216,7 +216,7 @@ int libusb_clear_halt(libusb_device_handle *handle, unsigned char endpoint)
 		bridge->halted[endpoint == GLOSS_USB_ENDPOINT_OUT ? FAKE_OUT :
 			       endpoint == GLOSS_USB_ENDPOINT_IN ? FAKE_IN : FAKE_EVENT] = false;
 	pthread_cond_broadcast(&fake.changed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -228,7 +228,7 @@ int libusb_reset_device(libusb_device_handle *handle)
 	struct fake_bridge *bridge;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	bridge = fake_handle_bridge(handle);
@@ -238,6 +238,6 @@ int libusb_reset_device(libusb_device_handle *handle)
 		fake_transfer_end_all(bridge, handle, status[fake_below(3)]);
 		memset(bridge->halted, 0, sizeof(bridge->halted));
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }

@@ -113,6 +113,10 @@ struct fake_state {
 
 extern struct fake_state fake;
 
+void fake_lock(void);
+void fake_unlock(void);
+/* Lets others have the lock, if there are any. */
+void fake_give_way(void);
 void fake_violation(const char *format, ...)
 	__attribute__((format(printf, 1, 2), noreturn));
 uint32_t fake_random(void);

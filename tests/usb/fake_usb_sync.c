@@ -57,7 +57,7 @@ int libusb_control_transfer(libusb_device_handle *handle, uint8_t type, uint8_t 
 	libusb_fill_control_setup(buffer, type, request, value, index, length);
 	if (!(type & LIBUSB_ENDPOINT_IN) && length)
 		memcpy(buffer + LIBUSB_CONTROL_SETUP_SIZE, data, length);
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, __func__);
 	err = fake_call(__func__);
 	if (!err) {
@@ -67,7 +67,7 @@ int libusb_control_transfer(libusb_device_handle *handle, uint8_t type, uint8_t 
 		count = public->actual_length;
 		fake_transfer_delete(public);
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	if (!err && (type & LIBUSB_ENDPOINT_IN) && count)
 		memcpy(data, buffer + LIBUSB_CONTROL_SETUP_SIZE, (size_t)count);
 	return err ? err : count;
@@ -79,7 +79,7 @@ static int bulk(libusb_device_handle *handle, unsigned char endpoint, unsigned c
 	struct libusb_transfer *public;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_handle_check(handle, function);
 	err = fake_call(function);
 	if (!err) {
@@ -92,7 +92,7 @@ static int bulk(libusb_device_handle *handle, unsigned char endpoint, unsigned c
 			*actual = public->actual_length;
 		fake_transfer_delete(public);
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 

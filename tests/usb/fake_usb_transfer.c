@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Transfers from their making to their callback, and who calls it. */
 #include <sanitizer/asan_interface.h>
-#include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/time.h>
@@ -91,12 +90,12 @@ struct libusb_transfer *libusb_alloc_transfer(int iso_packets)
 
 	if (iso_packets)
 		fake_violation("%s: there is no isochronous endpoint", __func__);
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	if (!fake_call(__func__)) {
 		public = fake_transfer_new();
 		fake_usb.transfers++;
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return public;
 }
 
@@ -104,10 +103,10 @@ void libusb_free_transfer(struct libusb_transfer *public)
 {
 	if (!public)
 		return;
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_transfer_delete(public);
 	fake_usb.transfers--;
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
 
 /* ---- submitting and cancelling ---- */
@@ -213,11 +212,11 @@ int libusb_submit_transfer(struct libusb_transfer *public)
 {
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	err = fake_call(__func__);
 	if (!err)
 		err = fake_transfer_submit(public, __func__);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -226,7 +225,7 @@ int libusb_cancel_transfer(struct libusb_transfer *public)
 	struct fake_transfer *transfer;
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	transfer = transfer_check(public, __func__);
 	err = fake_call(__func__);
 	if (!err && (transfer->state == FAKE_IDLE || transfer->cancelled))
@@ -238,7 +237,7 @@ int libusb_cancel_transfer(struct libusb_transfer *public)
 		transfer->cancelled = true;
 		pthread_cond_broadcast(&fake.changed);
 	}
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -284,11 +283,11 @@ static void transfer_call(struct fake_transfer *transfer)
 	fake_usb.callbacks++;
 	if (flags & LIBUSB_TRANSFER_SHORT_NOT_OK)
 		fake_violation("SHORT_NOT_OK is not looked at here");
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	public->callback(public);
 	if (flags & LIBUSB_TRANSFER_FREE_TRANSFER)
 		libusb_free_transfer(public);
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 }
 
 /* Of those that are due; the order of callbacks is not promised. */
@@ -346,14 +345,6 @@ static int64_t next_due(void)
 	return due;
 }
 
-/* Others may want the lock. */
-static void give_way(void)
-{
-	pthread_mutex_unlock(&fake.lock);
-	sched_yield();
-	pthread_mutex_lock(&fake.lock);
-}
-
 static bool is_completed(const int *completed)
 {
 	return completed && __atomic_load_n(completed, __ATOMIC_ACQUIRE);
@@ -368,12 +359,12 @@ static void events_handle(struct libusb_context *context, int64_t deadline, cons
 		bool moved = fake_bridge_pump();
 		int64_t next = time_out();
 
-		if (dispatch(context) || fake_usb_now_ns() >= deadline)
-			break;
 		if (fake.leap_always)
 			fake_clock_leap(ROUND_NS);
+		if (dispatch(context) || fake_usb_now_ns() >= deadline)
+			break;
 		if (moved)
-			give_way();
+			fake_give_way();
 		else
 			fake_clock_wait(next < deadline ? next : deadline, next_due());
 	}
@@ -409,7 +400,7 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
 {
 	int err;
 
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_context_check(context, __func__);
 	if (tv->tv_sec < 0 || tv->tv_usec < 0 || tv->tv_usec >= 1000000)
 		err = LIBUSB_ERROR_INVALID_PARAM;
@@ -418,7 +409,7 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
 	if (!err)
 		err = fake_events(context, tv->tv_sec * NS_PER_S + tv->tv_usec * NS_PER_US,
 				  completed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 	return err;
 }
 
@@ -441,8 +432,8 @@ int libusb_handle_events(libusb_context *context)
 
 void libusb_interrupt_event_handler(libusb_context *context)
 {
-	pthread_mutex_lock(&fake.lock);
+	fake_lock();
 	fake_context_check(context, __func__)->interrupted = true;
 	pthread_cond_broadcast(&fake.changed);
-	pthread_mutex_unlock(&fake.lock);
+	fake_unlock();
 }
