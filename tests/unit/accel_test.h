@@ -60,6 +60,12 @@ static inline int test_patience_ms(void)
 	return 60000 * (times > 0 && times < 1000 ? times : 1);
 }
 
+/* The same for all that a test does, in seconds: for alarm(). */
+static inline unsigned int test_patience_s(void)
+{
+	return 5u * (unsigned int)test_patience_ms() / 1000;
+}
+
 /* GLOSS_SEED, or the time; printed, so that a failure can be repeated. */
 static inline uint64_t test_seed(void)
 {

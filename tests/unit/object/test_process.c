@@ -6,7 +6,6 @@
 #include "child_test.h"
 #include "transport/usb_test.h"
 
-#define SECONDS 300
 #define WORDS (1u << 20)
 
 /* A device, and a job that takes it a while. */
@@ -25,7 +24,7 @@ static uint32_t nops[WORDS];
 
 static int setup(const char *name)
 {
-	alarm(SECONDS);
+	alarm(test_patience_s());
 	fake_usb_start(test_seed());
 	fixture = (struct fixture){ .name = name };
 	fixture.device = device_open(name, &fixture.messages);
@@ -176,8 +175,8 @@ static int free_all_in_child(void)
 static void a_child_is_refused_and_frees_what_it_has(void **state)
 {
 	(void)state;
-	assert_int_equal(child_run(use_all_in_child, SECONDS / 2), 0);
-	assert_int_equal(child_run(free_all_in_child, SECONDS / 2), 0);
+	assert_int_equal(child_run(use_all_in_child, test_patience_s() / 2), 0);
+	assert_int_equal(child_run(free_all_in_child, test_patience_s() / 2), 0);
 	fake_usb_release();
 	assert_int_equal(accel_fence_wait(fixture.fence, -1, NULL, 0), 0);
 	assert_device_works();

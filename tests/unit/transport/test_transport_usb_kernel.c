@@ -7,14 +7,13 @@
 #include "usb_test.h"
 
 #define WORDS 60000u
-#define SECONDS 300
 
 static struct messages messages;
 static uint32_t stream[3 + WORDS], back[WORDS];
 
 static int setup(void **state)
 {
-	alarm(SECONDS);
+	alarm(test_patience_s());
 	fake_usb_start(test_seed());
 	fake_usb_leap(true);
 	*state = device_open("usb:", &messages);
@@ -263,8 +262,8 @@ static int work_without_events(void)
 static void a_board_whose_transfers_do_not_end_is_left_in_bounded_time(void **state)
 {
 	(void)state;
-	assert_int_equal(child_run(close_without_events, SECONDS / 2), 0);
-	assert_int_equal(child_run(work_without_events, SECONDS / 2), 0);
+	assert_int_equal(child_run(close_without_events, test_patience_s() / 2), 0);
+	assert_int_equal(child_run(work_without_events, test_patience_s() / 2), 0);
 }
 
 #define kernel_test(name) cmocka_unit_test_setup_teardown(name, setup, teardown)

@@ -5,7 +5,6 @@
 
 #include "usb_test.h"
 
-#define SECONDS 300
 #define QUEUED_MAX (4u << 20)
 #define WORDS (QUEUED_MAX / 4 + 1000)
 
@@ -13,7 +12,7 @@ static struct messages messages;
 
 static int setup(void **state)
 {
-	alarm(SECONDS);
+	alarm(test_patience_s());
 	fake_usb_start(test_seed());
 	*state = device_open("usb:", &messages);
 	return 0;
@@ -183,7 +182,7 @@ static int boaster_setup(void **state)
 {
 	static struct gloss_usb_board_ops boaster;
 
-	alarm(SECONDS);
+	alarm(test_patience_s());
 	boaster = gloss_usb_board_model_t64;
 	boaster.read = boast;
 	fake_usb_start(test_seed());

@@ -40,7 +40,7 @@ static inline void test_qtest_init(struct test_qtest *qtest)
 		.folder = "/tmp/vboard-test-XXXXXX", .listener = -1, .socket = -1,
 		.address = { .sun_family = AF_UNIX },
 	};
-	alarm(5u * (unsigned int)test_patience_ms() / 1000);
+	alarm(test_patience_s());
 	assert_non_null(mkdtemp(qtest->folder));
 	snprintf(qtest->address.sun_path, sizeof(qtest->address.sun_path), "%s/qtest",
 		 qtest->folder);
