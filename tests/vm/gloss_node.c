@@ -11,6 +11,7 @@
 #include <xf86drm.h>
 
 #include "gloss_node.h"
+#include "vm_test.h"
 
 /* ---- one system call each ---- */
 
@@ -307,7 +308,7 @@ int client_run(struct client *client, uint32_t words, uint32_t response_words)
 
 	client_prepare(client, &job, words, response_words);
 	err = client_submit(client, &job);
-	return err ? err : client_wait(client, NODE_PATIENCE_MS);
+	return err ? err : client_wait(client, vm_patience_ms());
 }
 
 static uint32_t queue_value(uint32_t n)
@@ -346,7 +347,7 @@ int client_queue(struct client *client, uint32_t n)
 int client_queue_wait(struct client *client, uint32_t n)
 {
 	const volatile struct drm_gloss_status *status = queue_status(client, n);
-	int err = node_wait(client->fd, client->queued[n], 0, NODE_PATIENCE_MS);
+	int err = node_wait(client->fd, client->queued[n], 0, vm_patience_ms());
 
 	if (err)
 		return err;

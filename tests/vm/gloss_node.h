@@ -14,9 +14,6 @@
 
 #define NODE_PAGE 4096u
 
-/* Longer than any job takes that is not meant to hang. */
-#define NODE_PATIENCE_MS 60000
-
 /* A host object and where this process sees it. */
 struct node_buffer {
 	uint32_t handle;

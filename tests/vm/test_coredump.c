@@ -45,7 +45,7 @@ static void drop_dumps(void)
 	char path[512];
 
 	for (int tries = 0; find_dump(path); tries++) {
-		assert_in_range(tries, 0, NODE_PATIENCE_MS / 10);
+		assert_in_range(tries, 0, vm_patience_ms() / 10);
 		vm_write_file(path, "0");
 		usleep(10 * 1000);
 	}
@@ -54,7 +54,7 @@ static void drop_dumps(void)
 static void wait_for_dump(char path[512])
 {
 	for (int ms = 0; !find_dump(path); ms += 10) {
-		assert_in_range(ms, 0, NODE_PATIENCE_MS);
+		assert_in_range(ms, 0, vm_patience_ms());
 		usleep(10 * 1000);
 	}
 }
@@ -64,7 +64,7 @@ static void hang(const struct client_job *job)
 	vm_expect("hung the board|is lost");
 	window[VBOARD_FAULT_HANG / 4] = 1;
 	assert_int_equal(client_submit(&client, job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), -EIO);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), -EIO);
 	window[VBOARD_FAULT_HANG / 4] = 0;
 	vm_expect_end();
 }

@@ -189,7 +189,7 @@ static void undo_create_board(void)
 	job.slot[0].size = 3 * NODE_PAGE;
 	memset(client.response, 0xff, 3 * NODE_PAGE);
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	for (uint32_t i = 0; i < 3 * NODE_PAGE / 4; i++)
 		assert_int_equal(client.response[i], 0);
 	undo_create();
@@ -256,7 +256,7 @@ static int call_submit(void)
 
 static void undo_submit(void)
 {
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	assert_int_equal(*(uint32_t *)response.map, 0x511b);
 }
 

@@ -95,7 +95,7 @@ static int ended_meanwhile(int count, uint32_t priority)
 
 	queue_empty(&small, small.done, 0, priority);
 	begun = now_ns();
-	assert_int_equal(node_wait(small.fd, small.done, 0, NODE_PATIENCE_MS), 0);
+	assert_int_equal(node_wait(small.fd, small.done, 0, vm_patience_ms()), 0);
 	done = signalled_ns(small.fd, small.done);
 	for (int n = 0; n < count; n++) {
 		uint64_t at = signalled_ns(greedy.fd, queued[n]);
@@ -121,7 +121,7 @@ static int most_waited_for(uint32_t greedy_priority, uint32_t small_priority)
 	/* Else it was no test. */
 	assert_int_equal(signalled_ns(greedy.fd, queued[QUEUED - 1]), UINT64_MAX);
 	slow(0);
-	assert_int_equal(node_wait(greedy.fd, queued[QUEUED - 1], 0, NODE_PATIENCE_MS), 0);
+	assert_int_equal(node_wait(greedy.fd, queued[QUEUED - 1], 0, vm_patience_ms()), 0);
 	return most;
 }
 
@@ -162,7 +162,7 @@ static void clearing_does_not_hold_up_a_small_job(void **state)
 		assert_in_range(ended_meanwhile(OBJECTS, DRM_GLOSS_PRIORITY_NORMAL), 0, 1);
 	assert_int_equal(signalled_ns(greedy.fd, queued[OBJECTS - 1]), UINT64_MAX);
 	slow(0);
-	assert_int_equal(node_wait(greedy.fd, queued[OBJECTS - 1], 0, NODE_PATIENCE_MS), 0);
+	assert_int_equal(node_wait(greedy.fd, queued[OBJECTS - 1], 0, vm_patience_ms()), 0);
 }
 
 /* ---- bounds ---- */
@@ -269,7 +269,7 @@ static void take_memory_for_ever(void)
 
 static void memory_of_a_killed_client_is_free_soon(void **state)
 {
-	const uint64_t until = now_ns() + NODE_PATIENCE_MS * 1000000ull;
+	const uint64_t until = now_ns() + vm_patience_ms() * 1000000ull;
 	uint32_t board;
 	int err;
 

@@ -305,7 +305,7 @@ static int long_job(uint32_t room)
 	job.submit.stream_words = node_long(buffer.map, room / 4);
 	start = now_ms();
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	took = (int)(now_ms() - start);
 	assert_int_equal(client.status->offset, job.submit.stream_words);
 	node_buffer_free(client.fd, &buffer);

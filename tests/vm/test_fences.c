@@ -118,7 +118,7 @@ static void a_job_waits_for_the_fences_of_its_objects(void **state)
 	submit(&object, 0);
 	assert_int_equal(client_wait(&client, 100), -ETIME);
 	foreign_signal(fence);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	foreign_free(&object);
 }
 
@@ -130,7 +130,7 @@ static void with_explicit_sync_a_job_does_not_wait_for_them(void **state)
 
 	(void)state;
 	submit(&object, DRM_GLOSS_SUBMIT_EXPLICIT_SYNC);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	/* vgem gives a fence up by itself after ten seconds: it may have, on a slow machine. */
 	if (node_ioctl(vgem, VGEM_FENCE_SIGNAL, &signal) == -ETIMEDOUT)
 		print_message("the fence was over by then: nothing is proven\n");
@@ -158,7 +158,7 @@ static void with_explicit_sync_nobody_waits_for_a_job(void **state)
 		if (flags[i])
 			foreign_signal(attach.out_fence);
 		foreign_signal(fence);
-		assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+		assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	}
 	foreign_free(&object);
 	foreign_free(&gate);
@@ -184,7 +184,7 @@ static void with_explicit_sync_new_board_memory_reads_zero(void **state)
 		job.slot[0].handle = board;
 		job.slot[0].size = NODE_PAGE;
 		assert_int_equal(client_submit(&client, &job), 0);
-		assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+		assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 		for (uint32_t i = 0; i < WORDS; i++)
 			assert_int_equal(client.response[i], 0);
 		assert_int_equal(node_destroy(client.fd, board), 0);

@@ -158,7 +158,7 @@ static void board_memory_is_shown(void **state)
 	assert_int_equal(node_destroy(client.fd, client.board), 0);
 	/* Its jobs have ended, but may not be freed yet. */
 	for (int ms = 0; number(debugfs("memory"), "used ") > used - BOARD_BYTES; ms += 10) {
-		assert_in_range(ms, 0, NODE_PATIENCE_MS);
+		assert_in_range(ms, 0, vm_patience_ms());
 		usleep(10 * 1000);
 	}
 }
@@ -221,40 +221,65 @@ static void fdinfo_counts_what_other_files_share(void **state)
 	assert_int_equal(number(fdinfo(), "drm-shared-memory:\t"), 0);
 }
 
+static uint64_t now_ns(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (uint64_t)now.tv_sec * 1000000000 + (uint64_t)now.tv_nsec;
+}
+
+/* At least what the jobs last, and not more than has passed. */
 static void fdinfo_counts_engine_time(void **state)
 {
 	volatile uint32_t *window = vm_faults("GLOSS_PCI_MODEL");
-	uint64_t before = number(fdinfo(), "drm-engine-render:\t");
+	uint64_t start = now_ns(), before = number(fdinfo(), "drm-engine-render:\t"), worked;
 
 	(void)state;
 	window[VBOARD_FAULT_SLOW / 4] = 50000;
 	assert_true(client_works(&client));
 	assert_true(client_works(&client));
 	window[VBOARD_FAULT_SLOW / 4] = 0;
-	assert_in_range(number(fdinfo(), "drm-engine-render:\t") - before, 90000000, UINT32_MAX);
+	worked = number(fdinfo(), "drm-engine-render:\t") - before;
+	assert_in_range(worked, 90000000, now_ns() - start);
 	assert_int_equal(number(fdinfo(), "drm-engine-capacity-render:\t"), 1);
 }
 
-/* The time of a job and what it uses are seen while it runs, and its time is not lost at its end. */
+/* Whether the time of a job that hangs, and what it uses, were seen before it had ended. */
+static bool fdinfo_moves(uint64_t *last)
+{
+	uint64_t first = number(fdinfo(), "drm-engine-render:\t"), active;
+	bool runs;
+
+	assert_int_equal(client_queue(&client, 0), 0);
+	active = number(fdinfo(), "drm-active-board:\t");
+	do {
+		*last = number(fdinfo(), "drm-engine-render:\t");
+		runs = node_fence_error(client.fd, client.queued[0]) == -EBUSY;
+	} while (runs && *last <= first);
+	assert_int_equal(client_queue_wait(&client, 0), -EIO);
+	if (runs)
+		assert_int_not_equal(active, 0);
+	return runs;
+}
+
+/* A busy machine may sleep through it. What was seen is not lost at the job's end. */
 static void fdinfo_moves_while_a_job_runs(void **state)
 {
 	volatile uint32_t *window = vm_faults("GLOSS_PCI_MODEL");
-	uint64_t first, second;
+	bool moves = false;
+	uint64_t last = 0;
 
 	(void)state;
-	window[VBOARD_FAULT_HANG / 4] = 1;
-	assert_int_equal(client_queue(&client, 0), 0);
-	first = number(fdinfo(), "drm-engine-render:\t");
-	assert_int_not_equal(number(fdinfo(), "drm-active-board:\t"), 0);
 	vm_expect("hung the board");
-	do
-		second = number(fdinfo(), "drm-engine-render:\t");
-	while (second <= first && node_fence_error(client.fd, client.queued[0]) == -EBUSY);
-	assert_int_equal(node_fence_error(client.fd, client.queued[0]), -EBUSY);
-	assert_int_equal(client_queue_wait(&client, 0), -EIO);
-	vm_expect_end();
+	for (int i = 0; i < 10 && !moves; i++) {
+		window[VBOARD_FAULT_HANG / 4] = 1;
+		moves = fdinfo_moves(&last);
+	}
 	window[VBOARD_FAULT_HANG / 4] = 0;
-	assert_in_range(number(fdinfo(), "drm-engine-render:\t"), second, UINT64_MAX);
+	vm_expect_end();
+	assert_true(moves);
+	assert_in_range(number(fdinfo(), "drm-engine-render:\t"), last, UINT64_MAX);
 	assert_int_equal(number(fdinfo(), "drm-active-board:\t"), 0);
 }
 

@@ -299,7 +299,7 @@ static void run_shared_stream(struct client *user, uint32_t handle)
 	job.submit.stream = handle;
 	user->response[0] = 0;
 	assert_int_equal(client_submit(user, &job), 0);
-	assert_int_equal(client_wait(user, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(user, vm_patience_ms()), 0);
 	assert_int_equal(user->response[0], value);
 }
 
@@ -336,7 +336,7 @@ static void another_board_uses_an_exported_object(void **state)
 	job.submit.response = handle;
 	client.response[0] = 0;
 	assert_int_equal(client_submit(&board, &job), 0);
-	assert_int_equal(client_wait(&board, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&board, vm_patience_ms()), 0);
 	assert_int_equal(client.response[0], 0xdab0f);
 	client_close(&board);
 	assert_true(client_works(&client));

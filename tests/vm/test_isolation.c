@@ -189,7 +189,7 @@ static void run_on_both(struct client *client, struct accel_job *job)
 	sent.submit.slot_count = kernel_slots(client, job, sent.slot);
 	assert_int_equal(client_submit(client, &sent), 0);
 	run_on_model(job, &status);
-	assert_int_equal(client_wait(client, NODE_PATIENCE_MS), fence_error(&status));
+	assert_int_equal(client_wait(client, vm_patience_ms()), fence_error(&status));
 	assert_int_equal(client->status->error, 0);
 	assert_int_equal(client->status->cause, status.cause);
 	assert_int_equal(client->status->offset, status.offset);
@@ -316,7 +316,7 @@ static void slots_of_one_job_do_not_mix(void **state)
 	job.submit.slot_count = 2;
 	job.slot[1] = (struct drm_gloss_slot){ second, 3, 0, NODE_PAGE };
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	assert_int_equal(client.response[0], 0);
 	assert_int_equal(client.response[1], value);
 	client_close(&client);
@@ -345,7 +345,7 @@ static int fill_object(struct client *client, uint32_t handle, uint64_t size)
 		job.submit.slot_stride = sizeof(job.slot[0]);
 		err = client_submit(client, &job);
 		if (!err)
-			err = client_wait(client, NODE_PATIENCE_MS);
+			err = client_wait(client, vm_patience_ms());
 	}
 	return err;
 }
@@ -367,7 +367,7 @@ static bool is_clear(struct client *client, uint32_t handle, uint64_t size)
 		job.submit.slot_stride = sizeof(job.slot[0]);
 		client->response[0] = SENTINEL;
 		client->response[count - 1] = SENTINEL;
-		if (client_submit(client, &job) || client_wait(client, NODE_PATIENCE_MS) ||
+		if (client_submit(client, &job) || client_wait(client, vm_patience_ms()) ||
 		    memcmp(client->response, zero, 4 * (size_t)count))
 			return false;
 	}

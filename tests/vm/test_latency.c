@@ -83,14 +83,14 @@ static void job_once(void *data)
 	int err = node_submit(job->fd, &submit);
 
 	if (!err)
-		err = node_wait(job->fd, job->timeline, job->point, NODE_PATIENCE_MS);
+		err = node_wait(job->fd, job->timeline, job->point, vm_patience_ms());
 	if (err)
 		vm_fail("an empty job: %s", strerror(-err));
 }
 
 static void find_node(const char *pci, char path[BOARD_PATH])
 {
-	if (board_node(pci, NODE_PATIENCE_MS, path))
+	if (board_node(pci, vm_patience_ms(), path))
 		vm_fail("%s has no render node", pci);
 }
 
@@ -180,7 +180,7 @@ static int new_object(struct client *client)
 		err = node_create(client->fd, DRM_GLOSS_GEM_BOARD, CLEARED_BYTES, &client->board);
 		if (err == -ENOSPC && client->point > queued)
 			waited = node_wait(client->fd, client->timeline, client->point - queued,
-					   NODE_PATIENCE_MS);
+					   vm_patience_ms());
 	} while (err == -ENOSPC && !waited);
 	return waited ? waited : err;
 }

@@ -17,7 +17,6 @@
 #include "vm_board.h"
 #include "vm_test.h"
 
-#define PATIENCE_MS 60000
 #define WAITERS 4
 
 static const char *pci;
@@ -44,7 +43,7 @@ static int setup(void **state)
 
 	(void)state;
 	pci = vm_env("GLOSS_PCI_MODEL");
-	assert_int_equal(board_node(pci, PATIENCE_MS, node), 0);
+	assert_int_equal(board_node(pci, vm_patience_ms(), node), 0);
 	window = vm_faults("GLOSS_PCI_MODEL");
 	snprintf(name, sizeof(name), "drm:%s", node);
 	return accel_device_new(name, keep_message, NULL, &device) ||
@@ -94,7 +93,7 @@ static void fails_alone(uint32_t fault)
 	for (int i = 0; i < 3; i++)
 		fence[i] = start();
 	for (int i = 0; i < 3; i++) {
-		int err = accel_fence_wait(fence[i], PATIENCE_MS * 1000000ll, &status,
+		int err = accel_fence_wait(fence[i], vm_patience_ms() * 1000000ll, &status,
 					   sizeof(status));
 
 		assert_int_equal(status.fault, GLOSS_FAULT_NONE);
@@ -219,7 +218,7 @@ static void a_board_that_is_pulled_out_ends_every_call(void **state)
 		fence[i] = start();
 	assert_int_equal(board_remove(pci), 0);
 	for (int i = 0; i < WAITERS; i++) {
-		int err = accel_fence_wait(fence[i], PATIENCE_MS * 1000000ll, NULL, 0);
+		int err = accel_fence_wait(fence[i], vm_patience_ms() * 1000000ll, NULL, 0);
 
 		assert_true(!err || err == -ENODEV);
 		gone += err != 0;

@@ -108,7 +108,7 @@ static double submit_us(long *slept)
 	assert_int_equal(client_submit(&client, &job), 0);
 	start = now_us() - start;
 	*slept += times_slept() - before;
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	return start;
 }
 
@@ -173,7 +173,7 @@ static uint64_t pin_all(struct client *by)
 		bytes += OBJECT;
 	assert_int_equal(err, -ENOMEM);
 	if (bytes)
-		assert_int_equal(client_wait(by, NODE_PATIENCE_MS), 0);
+		assert_int_equal(client_wait(by, vm_patience_ms()), 0);
 	return bytes;
 }
 

@@ -138,7 +138,7 @@ static void check_job(const struct storm *storm, uint32_t n)
 {
 	const struct drm_gloss_status *status = status_of(storm, n);
 	const uint32_t *answer = page(&storm->responses, n);
-	int err = node_wait(storm->fd, storm->timeline, n, NODE_PATIENCE_MS);
+	int err = node_wait(storm->fd, storm->timeline, n, vm_patience_ms());
 
 	check(!err, "process %u, wait for job %u: %s", storm->process, n, strerror(-err));
 	check(!status->error && !status->cause && status->offset == storm->words[n % WINDOW] &&
@@ -165,7 +165,7 @@ static void storm_main(uint32_t process)
 		write_stream(&storm, n);
 		send_job(&storm, n);
 	}
-	check(!node_wait(storm.fd, storm.binary, 0, NODE_PATIENCE_MS) &&
+	check(!node_wait(storm.fd, storm.binary, 0, vm_patience_ms()) &&
 	      !node_fence_error(storm.fd, storm.binary), "process %u: binary syncobj", process);
 }
 
@@ -265,7 +265,7 @@ static void chain_main(uint32_t process)
 		if (process)
 			wait_for_link(link, round);
 		send_link(link, round);
-		err = node_wait(link->fd, link->timeline, round, NODE_PATIENCE_MS);
+		err = node_wait(link->fd, link->timeline, round, vm_patience_ms());
 		check(!err, "process %u, round %u: %s", process, round, strerror(-err));
 		check(link_ended(link, round), "process %u, round %u: no status", process, round);
 		check(!process || link_ended(link - 1, round),

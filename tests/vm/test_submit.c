@@ -122,7 +122,7 @@ static void send_rows(const struct row *rows, size_t count)
 				    strerror(-rows[i].error));
 			wrong++;
 		}
-		if (!err && node_wait(client.fd, client.timeline, client.point, NODE_PATIENCE_MS))
+		if (!err && node_wait(client.fd, client.timeline, client.point, vm_patience_ms()))
 			fail_msg("%s: does not end", rows[i].name);
 		nothing_is_left(rows[i].name);
 	}
@@ -353,7 +353,7 @@ static void pointers_need_no_alignment(void **state)
 	job.submit.slots = (uintptr_t)slots + 1;
 	job.submit.in_syncs = (uintptr_t)in + 1;
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	assert_int_equal(client.response[0], 0x600d);
 }
 
@@ -368,7 +368,7 @@ static void high_priority_takes_a_privilege(void **state)
 	err = client_submit(&client, &job);
 	assert_int_equal(err, geteuid() ? -EACCES : 0);
 	if (!err)
-		assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+		assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	nothing_is_left("high priority");
 }
 
@@ -401,7 +401,7 @@ static void one_object_may_be_all_slots_and_buffers(void **state)
 		job.slot[i] = job.slot[0];
 	job.submit.slot_count = GLOSS_SLOTS;
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	assert_int_equal(client.response[0], 0x600d);
 }
 
@@ -421,7 +421,7 @@ static void most_syncs_are_taken(void **state)
 	job.submit.out_syncs = (uintptr_t)out;
 	job.submit.in_sync_count = job.submit.out_sync_count = DRM_GLOSS_SYNCS_MAX;
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	nothing_is_left("most syncs");
 }
 
@@ -469,7 +469,7 @@ static void closed_objects_live_until_their_jobs_end(void **state)
 	}
 	assert_int_equal(node_destroy(brief.fd, brief.host.handle), 0);
 	assert_int_equal(node_destroy(brief.fd, brief.board), 0);
-	assert_int_equal(node_wait(brief.fd, brief.timeline, brief.point, NODE_PATIENCE_MS), 0);
+	assert_int_equal(node_wait(brief.fd, brief.timeline, brief.point, vm_patience_ms()), 0);
 	assert_int_equal(brief.status->error, 0);
 	assert_int_equal(brief.status->offset, CLIENT_STREAM_WORDS);
 	assert_int_equal(node_sync_new(brief.fd, &sync), 0);

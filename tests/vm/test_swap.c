@@ -46,7 +46,7 @@ static uint64_t idle_pages(void)
 static void wait_until_idle(uint64_t pages)
 {
 	for (int ms = 0; idle_pages() < pages; ms += 10) {
-		assert_in_range(ms, 0, NODE_PATIENCE_MS);
+		assert_in_range(ms, 0, vm_patience_ms());
 		usleep(10 * 1000);
 	}
 }
@@ -61,7 +61,7 @@ static uint32_t read_back(unsigned int n, uint32_t page)
 	job.submit.stream_offset = page * NODE_PAGE;
 	client.response[0] = ~0u;
 	assert_int_equal(client_submit(&client, &job), 0);
-	assert_int_equal(client_wait(&client, NODE_PATIENCE_MS), 0);
+	assert_int_equal(client_wait(&client, vm_patience_ms()), 0);
 	return client.response[0];
 }
 

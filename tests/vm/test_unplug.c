@@ -59,7 +59,7 @@ static int count_from(const struct fences *fences, int error)
 	int failed = 0;
 
 	for (uint32_t n = 0; n < CLIENT_QUEUE; n++) {
-		int err = node_file_wait(fences->file[n], NODE_PATIENCE_MS);
+		int err = node_file_wait(fences->file[n], vm_patience_ms());
 
 		assert_int_equal(err, failed || err ? error : 0);
 		failed += err != 0;
@@ -80,7 +80,7 @@ static void all_end_well(struct client *of)
 static void find_board_again(void)
 {
 	assert_int_equal(board_rescan(), 0);
-	assert_int_equal(board_node(pci, NODE_PATIENCE_MS, node), 0);
+	assert_int_equal(board_node(pci, vm_patience_ms(), node), 0);
 	window = vm_faults("GLOSS_PCI_MODEL");
 	assert_int_equal(window[VBOARD_FAULT_IDENTITY / 4], VBOARD_FAULT_IDENTITY_VALUE);
 }
@@ -131,7 +131,7 @@ static void a_board_that_dies_idle_is_noticed(void **state)
 	client_prepare(&client, &job, 0, 0);
 	err = client_submit(&client, &job);
 	if (!err)
-		err = client_wait(&client, NODE_PATIENCE_MS);
+		err = client_wait(&client, vm_patience_ms());
 	assert_int_equal(err, -ENODEV);
 	assert_int_equal(client_submit(&client, &job), -ENODEV);
 	arm(VBOARD_FAULT_DIE, 0);
@@ -208,7 +208,7 @@ static void a_driver_is_taken_off_and_put_back(void **state)
 		count_from(&fences, -ENODEV);
 		client_close(&client);
 		assert_int_equal(board_bind(pci, "gloss"), 0);
-		assert_int_equal(board_node(pci, NODE_PATIENCE_MS, node), 0);
+		assert_int_equal(board_node(pci, vm_patience_ms(), node), 0);
 		assert_int_equal(client_open(&client, node, BOARD_BYTES), 0);
 		assert_true(client_works(&client));
 	}
@@ -297,7 +297,7 @@ static void jobs_of_a_closed_file_end(void **state)
 	assert_int_equal(drmSyncobjFDToHandle(other.fd, file, &last), 0);
 	close(file);
 	client_close(&client);
-	assert_int_equal(node_wait(other.fd, last, 0, NODE_PATIENCE_MS), 0);
+	assert_int_equal(node_wait(other.fd, last, 0, vm_patience_ms()), 0);
 	err = node_fence_error(other.fd, last);
 	assert_true(err == 0 || err == -ECANCELED);
 	arm(VBOARD_FAULT_SLOW, 0);
@@ -394,7 +394,7 @@ static void bind_with_msi(const char *allowed)
 	assert_int_equal(board_unbind(pci), 0);
 	assert_int_equal(board_write(pci, "msi_bus", allowed), 0);
 	assert_int_equal(board_bind(pci, "gloss"), 0);
-	assert_int_equal(board_node(pci, NODE_PATIENCE_MS, node), 0);
+	assert_int_equal(board_node(pci, vm_patience_ms(), node), 0);
 	assert_int_equal(client_open(&client, node, BOARD_BYTES), 0);
 	assert_int_equal(client_open(&other, node, BOARD_BYTES), 0);
 }
@@ -438,7 +438,7 @@ static int setup(void **state)
 	(void)state;
 	pci = vm_env("GLOSS_PCI_MODEL");
 	window = vm_faults("GLOSS_PCI_MODEL");
-	return board_node(pci, NODE_PATIENCE_MS, node);
+	return board_node(pci, vm_patience_ms(), node);
 }
 
 static int open_files(void **state)
@@ -474,7 +474,7 @@ static int teardown(void **state)
 	(void)state;
 	if (strcmp(node, vm_env("GLOSS_NODE_MODEL")) &&
 	    (board_unbind(pci) || board_bind(pci, "gloss") ||
-	     board_node(pci, NODE_PATIENCE_MS, node)))
+	     board_node(pci, vm_patience_ms(), node)))
 		return -1;
 	assert_string_equal(node, vm_env("GLOSS_NODE_MODEL"));
 	return 0;

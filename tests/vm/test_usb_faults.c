@@ -21,7 +21,6 @@ enum {
 	JOBS = 4,		/* under way at once */
 	WORDS_LOG2 = 16,	/* of a job, at most */
 	REPLUG_MS = 50,
-	OPEN_MS = 10000,	/* until a board that is plugged in opens */
 	CHILD_MS = 150,		/* that a client lives */
 	WAIT_S = 30,		/* for a job: that is a hang */
 };
@@ -134,7 +133,7 @@ static int device_open(void)
 /* The node of a board that was just plugged in has to get its mode first. */
 static void device_must_open(void)
 {
-	int left = OPEN_MS * atoi(vm_env("GLOSS_SLOW")), err;
+	int left = vm_patience_ms(), err;
 
 	while ((err = device_open()) == -ENODEV || err == -EACCES) {
 		left -= 10;

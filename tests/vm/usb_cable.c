@@ -9,8 +9,6 @@
 
 enum {
 	INTERFACE = 1,
-	REQUEST_MS = 60000,
-	PLUG_MS = 60000,	/* to be found after it was plugged in */
 	STEP_MS = 10,
 };
 
@@ -61,7 +59,7 @@ struct usb_cable *usb_cable_open(const char *board)
 {
 	struct usb_cable *cable = calloc(1, sizeof(*cable));
 	const char *serial = strchr(board, '/');
-	int left = PLUG_MS * atoi(vm_env("GLOSS_SLOW"));
+	int left = vm_patience_ms();
 
 	if (!cable || !serial)
 		vm_fail("%s: no serial number, or no memory", board);
@@ -86,7 +84,7 @@ static bool request(struct usb_cable *cable, uint8_t type, uint8_t number, uint3
 		    uint32_t *value)
 {
 	int got = libusb_control_transfer(cable->handle, type, number, (uint16_t)offset, INTERFACE,
-					  (unsigned char *)value, sizeof(*value), REQUEST_MS);
+					  (unsigned char *)value, sizeof(*value), (unsigned int)vm_patience_ms());
 
 	if (got == LIBUSB_ERROR_NO_DEVICE || got == LIBUSB_ERROR_IO)
 		return false;

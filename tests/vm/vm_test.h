@@ -60,6 +60,15 @@ static inline const char *vm_env(const char *name)
 	return value;
 }
 
+/*
+ * In milliseconds, for what has to happen, such as the end of a job: what takes longer hangs,
+ * however busy the machine is. GLOSS_SLOW says how many times slower it is.
+ */
+static inline int vm_patience_ms(void)
+{
+	return 60000 * atoi(vm_env("GLOSS_SLOW"));
+}
+
 /* The seed to draw all random numbers from: GLOSS_SEED, or a new one. Prints it. */
 static inline uint64_t vm_seed(void)
 {

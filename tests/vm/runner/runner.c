@@ -22,7 +22,7 @@
 /* The boards are programs: on a busy machine a job of theirs may take long. */
 #define JOB_LIMIT "job_limit_ms=120000"
 #define STEP_SECONDS  300
-#define NODE_MS	      10000
+#define NODE_MS	      60000
 
 static struct plan plan;
 static struct board boards[BOARDS];
