@@ -6,7 +6,7 @@ test-version: ## one version everywhere: that of the file VERSION
 	$(call quiet,TEST,version)
 	$(Q)tests/docs/version
 
-test-links: ## the files that documents name are there
+test-links: ## files and methods that documents name are there; 120 columns
 	$(call quiet,TEST,links)
 	$(Q)tests/docs/links
 
