@@ -2,7 +2,9 @@
 # Everything starts here; `make help` lists the targets. Each part of the tree
 # brings a fragment (*.mk) with its own rules, which adds to the lists below.
 
-BUILD    ?= build
+# DEBUG=1 builds for a debugger, in a folder of its own.
+DEBUG    ?= 0
+BUILD    ?= build$(if $(filter-out 0,$(DEBUG)),/debug)
 PREFIX   ?= /usr/local
 LIBDIR   ?= $(PREFIX)/lib
 DESTDIR  ?=
@@ -11,11 +13,13 @@ JOBS     ?= $(shell nproc)
 
 CC       ?= cc
 CXX      ?= c++
-CFLAGS   ?= -O3 -g
+CFLAGS   ?= $(if $(filter-out 0,$(DEBUG)),-O0 -g3 -fno-omit-frame-pointer,-O3 -g)
 CXXFLAGS ?= -O3
 WARN     := -Wall -Wextra -Wmissing-prototypes -Wshadow -Wvla -Wformat=2
 # One rounding per operation on every machine: pictures are compared by their bytes.
 ACCEL_CFLAGS := -std=gnu11 $(WARN) -ffp-contract=off -Ilibaccel
+
+comma := ,
 
 ifeq ($(V),0)
 Q := @
@@ -25,6 +29,26 @@ Q :=
 quiet = @:
 endif
 
+# What a C file is compiled with besides: FLAGS_<folder> of each folder it is in, from the root on,
+# and FLAGS_<file>. So one rule compiles all of them, and compile_commands.json knows how.
+parent  = $(patsubst %/,%,$(dir $(1)))
+folders = $(if $(filter-out .,$(call parent,$(1))),$(call folders,$(call parent,$(1))) $(call parent,$(1)))
+flags   = $(ACCEL_CFLAGS) $(foreach place,$(call folders,$(1)) $(1),$(FLAGS_$(place)))
+
+# $(1): compiler, $(2): its options
+define compile
+	$(call quiet,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(1) $(call flags,$<) $(2) -MMD -MP -c $< -o $@
+endef
+
+# Of what a program needs, the objects and archives; LIBS and WRAPS are its own, private to it.
+define link
+	$(call quiet,LD,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(filter %.a,$^) $(WRAPS) $(LIBS) -o $@
+endef
+
 # The core; rtl/port and rtl/board stand around it.
 RTL_SOURCES = rtl/gloss_pkg.sv $(filter-out rtl/port/% rtl/board/%,$(sort $(wildcard rtl/lib/*.sv rtl/*/*.sv))) \
 	rtl/gloss_core.sv
@@ -32,42 +56,48 @@ RTL_SOURCES = rtl/gloss_pkg.sv $(filter-out rtl/port/% rtl/board/%,$(sort $(wild
 # Benches and simulators stop where a contract of the RTL is broken.
 VERILATE := verilator --cc --exe --build --assert
 
-# Programs of unit tests by their names, which are unique: tests lie in folders as what they test.
-unit = $(foreach test,$(1),$(patsubst %.c,$(BUILD)/%,$(or $(wildcard tests/unit/$(test).c \
-	tests/unit/*/$(test).c tests/usb/$(test).c),$(error no unit test $(test)))))
-
 # What the fragments add to.
 ALL        :=
 UNIT_TESTS :=
 CHECKS     :=
 LINTS      :=
 INSTALLS   :=
-LINT_C     :=
 
 .DEFAULT_GOAL := all
 .SUFFIXES:
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-include tools/scene/scene.mk
-include tools/hwgen/hwgen.mk
-include tools/decode/decode.mk
-include libaccel/model/model.mk
-include libaccel/draw/draw.mk
+# The product, whose fragments know of no test.
 include libaccel/libaccel.mk
-include tools/view/view.mk
-include tools/info/info.mk
-include rtl/raster/raster.mk
-include rtl/command/command.mk
-include rtl/tile/tile.mk
-include rtl/port/port.mk
+include rtl/board/board.mk
+include tools/tools.mk
 include driver/driver.mk
-include tools/vboard/vboard.mk
-include tests/stream/stream.mk
-include tests/usb/usb.mk
-include tests/vm/vm.mk
-include tests/docs/docs.mk
-include tests/tests.mk
+
+# Tests, in the order in which they need each other's objects.
+include $(addprefix tests/,stream/stream.mk port/port.mk usb/usb.mk unit/unit.mk decode/decode.mk \
+	hwgen/hwgen.mk view/view.mk image/image.mk bench/bench.mk info/info.mk vboard/vboard.mk \
+	rtl/raster.mk rtl/command.mk rtl/tile.mk rtl/port.mk stream/grammar.mk fuzz/fuzz.mk \
+	fuzz/fuzz_draw.mk fuzz/fuzz_usb.mk vm/vm.mk install/install.mk docs/docs.mk tests.mk lint.mk)
+
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	$(call compile,$(CC),$(CFLAGS))
+
+# Everything is compiled anew when the compiler or its options are others; what depends on the place
+# the library is installed to, and on the version, is rebuilt by itself.
+$(BUILD)/flags: export TEXT = $(CC) $(CFLAGS) $(LDFLAGS) $(ACCEL_CFLAGS) $(foreach name,$(sort \
+	$(filter-out %.c,$(filter FLAGS_%,$(.VARIABLES)))),$(name)=$($(name)))
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@printf '%s\n' "$$TEXT" | cmp -s - $@ || printf '%s\n' "$$TEXT" >$@
+
+.PHONY: FORCE
+FORCE:
+
+C_SOURCES := $(wildcard $(addsuffix /*.c,libaccel libaccel/* libaccel/*/* tools/* tools/*/* tests/* \
+	tests/unit/* tests/vm/runner examples))
+-include $(foreach folder,$(sort $(dir $(C_SOURCES))),$(wildcard $(BUILD)/$(folder)*.d \
+	$(BUILD)/fuzz/*/$(folder)*.d))
 
 .PHONY: all deps demo check unit lint install clean help
 

@@ -1,54 +1,48 @@
 # SPDX-License-Identifier: MIT
-# The library, shared and static. Lists of objects come from model.mk and draw.mk.
+# The library, shared and static.
+
+include libaccel/model/model.mk
+include libaccel/draw/draw.mk
 
 # "drm:" takes libdrm; without it the library says so when it is asked for a PCI board.
 ifeq ($(shell pkg-config --exists 'libdrm >= 2.4.99' 2>/dev/null && echo yes),yes)
-DRM_SOURCES := $(addprefix transport/drm/, drm.c node.c buffer.c)
+DRM_SOURCES := $(addprefix libaccel/transport/drm/, drm.c node.c buffer.c)
 DRM_CFLAGS := -Idriver $(shell pkg-config --cflags libdrm)
 DRM_LIBS := $(shell pkg-config --libs libdrm)
 else
-DRM_SOURCES := transport/drm/none.c
+DRM_SOURCES := libaccel/transport/drm/none.c
 endif
 
 # "usb:" takes libusb, likewise.
 ifeq ($(shell pkg-config --exists 'libusb-1.0 >= 1.0.21' 2>/dev/null && echo yes),yes)
-USB_SOURCES := $(addprefix transport/usb/, usb.c link.c link_state.c message.c node.c sync.c where.c \
+USB_SOURCES := $(addprefix libaccel/transport/usb/, usb.c link.c link_state.c message.c node.c sync.c where.c \
 	transfer.c watch.c clocks.c zero.c)
 USB_CFLAGS := -Idriver $(shell pkg-config --cflags libusb-1.0)
 USB_LIBS := $(shell pkg-config --libs libusb-1.0)
 else
-USB_SOURCES := transport/usb/none.c
+USB_SOURCES := libaccel/transport/usb/none.c
 endif
 
-ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c dump.c \
-	sized.c version.c message.c \
-	fence.c $(DRM_SOURCES) $(USB_SOURCES) $(addprefix transport/, transport.c model.c sim.c \
-	engine.c job_table.c pool.c range.c option.c thread.c)) $(DRAW_SOURCES)
+ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c dump.c \
+		message.c sized.c version.c) \
+	$(addprefix libaccel/transport/, transport.c model.c sim.c engine.c job_table.c pool.c \
+		range.c option.c thread.c) $(DRM_SOURCES) $(USB_SOURCES) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
 ACCEL_VERSION := $(shell cat VERSION)
 ACCEL_SONAME := libaccel.so.0
 
-$(BUILD)/libaccel/%.o: libaccel/%.c
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -fPIC -pthread -MMD -MP -c $< -o $@
-
-$(DRM_SOURCES:%.c=$(BUILD)/libaccel/%.o): ACCEL_CFLAGS += $(DRM_CFLAGS)
-$(USB_SOURCES:%.c=$(BUILD)/libaccel/%.o): ACCEL_CFLAGS += $(USB_CFLAGS)
-LINT_C += $(DRM_CFLAGS) $(USB_CFLAGS)
+FLAGS_libaccel := -fPIC -pthread
+FLAGS_libaccel/transport/drm := $(DRM_CFLAGS)
+FLAGS_libaccel/transport/usb := $(USB_CFLAGS)
 
 # Where the library looks for plugins once it is installed; rebuilt when that changes.
 ACCEL_SIM_DIR := $(LIBDIR)/gloss
-LINT_C += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
 $(BUILD)/libaccel/sim_dir: FORCE
 	@mkdir -p $(@D)
 	@echo '$(ACCEL_SIM_DIR)' | cmp -s - $@ || echo '$(ACCEL_SIM_DIR)' >$@
 $(BUILD)/libaccel/transport/sim.o: $(BUILD)/libaccel/sim_dir
-$(BUILD)/libaccel/transport/sim.o: ACCEL_CFLAGS += -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
-
-.PHONY: FORCE
-FORCE:
+FLAGS_libaccel/transport/sim.c = -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
 
 $(BUILD)/libaccel.so: $(ACCEL_OBJS) libaccel/libaccel.map
 	$(call quiet,LD,$@)
@@ -72,8 +66,6 @@ $(BUILD)/libaccel/parts.a: $(ACCEL_OBJS)
 	$(call quiet,AR,$@)
 	$(Q)rm -f $@
 	$(Q)$(AR) qcs $@ $^
-
--include $(ACCEL_OBJS:.o=.d)
 
 .PHONY: lib
 lib: $(BUILD)/libaccel.so $(BUILD)/libaccel.a ## build the library alone: takes only a C compiler
@@ -104,6 +96,3 @@ install-lib: lib $(ACCEL_SIMS)
 		echo 'programs do not find libaccel.so yet: run ldconfig as root, or set' \
 			'LD_LIBRARY_PATH=$(LIBDIR)')
 INSTALLS += install-lib
-
-include tests/unit/unit.mk
-include tests/fuzz/fuzz_draw.mk

@@ -5,13 +5,9 @@
 BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_setup bench_shade)
 BENCHES += bench-shade bench-setup bench-load nmse
 
-$(BENCH_PROGRAMS): $(BUILD)/tests/bench/%: tests/bench/%.c $(SCENE_OBJS) $(BUILD)/libaccel.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d $< $(SCENE_OBJS) \
-		$(BUILD)/libaccel.a $(SCENE_LIBS) -o $@
-
--include $(BENCH_PROGRAMS:%=%.d)
+FLAGS_tests/bench := $(SCENE_CFLAGS)
+$(BENCH_PROGRAMS): private LIBS := $(SCENE_LIBS)
+$(BENCH_PROGRAMS): $(SCENE_OBJS) $(BUILD)/libaccel.a
 
 # What a benchmark prints is shown and kept; the file is there only if it passed.
 keep_figures = mkdir -p $(BUILD)/bench && rm -f $(BUILD)/bench/$(1).txt && \

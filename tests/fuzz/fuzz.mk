@@ -4,23 +4,37 @@
 FUZZ_SECONDS ?= 60
 FUZZ_RUNS    ?= 60000
 FUZZ_CC      ?= clang
-FUZZ_CFLAGS  := -g -O1 -fno-omit-frame-pointer -fsanitize=fuzzer,address,undefined \
-	-fno-sanitize-recover=all
-FUZZ_SOURCES := tests/fuzz/fuzz_stream.c tools/decode/decode.c tools/decode/print.c $(MODEL_SOURCES)
-FUZZ_PROGRAMS := $(BUILD)/fuzz/fuzz_stream $(BUILD)/fuzz/fuzz_corpus
+FUZZ_COMMON  := -g -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all
 FUZZ_FLAGS   = -max_len=4096 -timeout=$$((100 * $${GLOSS_SLOW:-1})) -error_exitcode=1 -print_final_stats=0 \
 	-artifact_prefix=$(BUILD)/fuzz/
 
-$(BUILD)/fuzz/fuzz_stream: $(FUZZ_SOURCES) tests/fuzz/fuzz_input.h tools/decode/gloss_table.h \
-		$(wildcard libaccel/model/*.h)
-	$(call quiet,CC,$@)
-	@mkdir -p $(@D)
-	$(Q)$(FUZZ_CC) $(ACCEL_CFLAGS) -Itools -Itests/stream $(FUZZ_CFLAGS) $(FUZZ_SOURCES) -o $@
+FLAGS_tests/fuzz := $(USB_CFLAGS)
 
-$(BUILD)/fuzz/fuzz_corpus: tests/fuzz/fuzz_corpus.c tests/fuzz/fuzz_input.h $(STREAM_RANDOM_OBJS)
-	$(call quiet,CC,$@)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/stream $(CFLAGS) $< $(STREAM_RANDOM_OBJS) -o $@
+# $(1): folder below $(BUILD)/fuzz, $(2): what clang builds into objects there
+define fuzz_objects
+FUZZ_CFLAGS_$(1) := $(FUZZ_COMMON) -fsanitize=$(2)
+$$(BUILD)/fuzz/$(1)/%.o: %.c $$(BUILD)/flags
+	$$(call compile,$$(FUZZ_CC),$$(FUZZ_CFLAGS_$(1)))
+endef
+# What is looked into; what makes up its world, which the fuzzer need not see; and frames.
+$(eval $(call fuzz_objects,inside,fuzzer$(comma)address$(comma)undefined))
+$(eval $(call fuzz_objects,world,address$(comma)undefined))
+$(eval $(call fuzz_objects,draw,address$(comma)undefined$(comma)float-cast-overflow))
+
+# Program $@ of the objects of folder $(1) and others.
+define fuzz_link
+	$(call quiet,LD,$@)
+	$(Q)$(FUZZ_CC) $(FUZZ_CFLAGS_$(1)) $(filter %.o,$^) $(WRAPS) $(LIBS) -o $@
+endef
+
+FUZZ_PROGRAMS := $(BUILD)/fuzz/fuzz_stream $(BUILD)/fuzz/fuzz_corpus
+
+$(BUILD)/fuzz/fuzz_stream: $(patsubst %.c,$(BUILD)/fuzz/inside/%.o,tests/fuzz/fuzz_stream.c \
+		tools/decode/decode.c tools/decode/print.c $(MODEL_SOURCES))
+	$(call fuzz_link,inside)
+
+$(BUILD)/fuzz/fuzz_corpus: $(BUILD)/tests/fuzz/fuzz_corpus.o $(STREAM_RANDOM_OBJS)
+	$(link)
 
 # Runs fuzzer $(1) with $(2) on corpus $(3), which begins with what program $(4) makes of a seed. A
 # failing input is left in $(BUILD)/fuzz; the fuzzer runs it alone if that is all it is given.

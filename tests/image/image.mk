@@ -5,13 +5,9 @@ MODELS ?= /usr/share/glmark2/models
 
 IMAGE_PROGRAMS := $(BUILD)/tests/image/nmse $(BUILD)/tests/image/golden
 
-$(IMAGE_PROGRAMS): $(BUILD)/tests/image/%: tests/image/%.c $(SCENE_OBJS) $(BUILD)/libaccel.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d $< $(SCENE_OBJS) \
-		$(BUILD)/libaccel.a $(SCENE_LIBS) -o $@
-
--include $(IMAGE_PROGRAMS:%=%.d)
+FLAGS_tests/image := $(SCENE_CFLAGS)
+$(IMAGE_PROGRAMS): private LIBS := $(SCENE_LIBS)
+$(IMAGE_PROGRAMS): $(SCENE_OBJS) $(BUILD)/libaccel.a
 
 NMSE_MESHES := sphere:1 sphere:2 sphere:3 torus:24 torus:48 $(MODELS)/bunny.obj
 

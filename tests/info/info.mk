@@ -2,10 +2,9 @@
 # gloss-info as a stranger meets it, and the udev rule.
 
 # gloss-info on boards that no machine has.
-$(BUILD)/tests/info/fake: $(INFO_OBJECTS) $(DEVICE_OBJECT) tests/info/fake_accel.c
-	$(call quiet,CC,tests/info/fake_accel.c)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $(LDFLAGS) $^ -o $@
+$(BUILD)/tests/info/fake: private LIBS :=
+$(BUILD)/tests/info/fake: $(INFO_OBJECTS) $(DEVICE_OBJECT) $(BUILD)/tests/info/fake_accel.o
+	$(link)
 
 .PHONY: info info-sanitize run-udev
 info: $(BUILD)/gloss-info $(BUILD)/tests/info/fake ## gloss-info's messages, exit codes and JSON

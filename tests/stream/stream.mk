@@ -3,16 +3,12 @@
 # each core; before a change of the core lands, make stream STREAM_GROUPS=1000 or more.
 
 STREAM_GROUPS ?= 200
-STREAM_SOURCES := $(addprefix tests/stream/, \
-	test_stream.c stream_random.c stream_random_triangle.c stream_random_damage.c) \
-	tools/decode/decode.c tools/decode/print.c
+# Random jobs, for whoever compares engines.
+STREAM_RANDOM_OBJS := $(addprefix $(BUILD)/tests/stream/, stream_random.o stream_random_triangle.o \
+	stream_random_damage.o)
 
-$(BUILD)/tests/stream/test_stream: $(STREAM_SOURCES) tests/stream/stream_random.h tools/decode/decode.h \
-		$(MODEL_OBJS)
-	$(call quiet,CC,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Itools -Itests/stream $(STREAM_SOURCES) $(MODEL_OBJS) \
-		-ldl -o $@
+$(BUILD)/tests/stream/test_stream: private LIBS := -ldl
+$(BUILD)/tests/stream/test_stream: $(STREAM_RANDOM_OBJS) $(DECODE_OBJECTS) $(MODEL_OBJS)
 
 # Two targets of about the same time, for two processors; one more, and shorter, for stream ports that
 # are narrow and wide for their lanes.
@@ -37,34 +33,3 @@ $(eval $(call stream_run,ports,$(STREAM_PORTS),$$(STREAM_PORT_GROUPS)))
 stream: stream-first stream-second stream-ports ## random jobs, valid and damaged: model against RTL, byte for byte
 
 CHECKS += stream-first stream-second stream-ports
-
-# A second generator, from the table of rtl/gloss.xml; and the same jobs to boards on USB.
-# make check has what reaches every packet, opcode and reserved bit on a core, and some of it on a board.
-GRAMMAR_JOBS  ?= 50000
-GRAMMAR_SOURCES := $(addprefix tests/stream/, test_grammar.c grammar.c grammar_sense.c \
-	grammar_damage.c grammar_coverage.c grammar_engine.c) tools/decode/decode.c tools/decode/print.c
-GRAMMAR_OBJECTS := $(USB_HOST_OBJ) $(BOARD_USB_MODEL_OBJECTS) $(MODEL_OBJS)
-
-$(BUILD)/tests/stream/test_grammar: $(GRAMMAR_SOURCES) $(wildcard tests/stream/grammar*.h) \
-		tools/decode/decode.h tools/decode/table.h tools/decode/gloss_table.h $(GRAMMAR_OBJECTS)
-	$(call quiet,CC,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) -Idriver -Itools -Itests/stream -Itests/port \
-		$(GRAMMAR_SOURCES) $(GRAMMAR_OBJECTS) -ldl -o $@
-
-GRAMMAR_RUN = $< -o $(BUILD)/tests/stream/failed-$@.bin
-check-grammar: $(BUILD)/tests/stream/test_grammar $(addprefix $(BUILD)/sim/,accel-sim-t32-k1.so accel-usb-t64-k2.so)
-	$(Q)$(GRAMMAR_RUN) $(BUILD)/sim/accel-sim-t32-k1.so
-	$(Q)$(GRAMMAR_RUN) -n 256 $(BUILD)/sim/accel-usb-t64-k2.so
-
-# An eighth on each core, and on the USB boards that there are of it.
-GRAMMAR_CORES := $(STREAM_FIRST) $(STREAM_SECOND)
-GRAMMAR_BOARDS := t32-k1 t64-k2 t64-k8
-$(GRAMMAR_CORES:%=grammar-%): grammar-%: $(BUILD)/tests/stream/test_grammar $(BUILD)/sim/accel-sim-%.so
-	$(Q)$(GRAMMAR_RUN) -n $$(($(GRAMMAR_JOBS) / $(words $(GRAMMAR_CORES)))) $(filter %.so,$^)
-$(GRAMMAR_BOARDS:%=grammar-%): grammar-%: $(BUILD)/sim/accel-usb-%.so
-
-.PHONY: check-grammar stream-grammar $(GRAMMAR_CORES:%=grammar-%)
-stream-grammar: $(GRAMMAR_CORES:%=grammar-%) ## 50,000 jobs of a second generator: model against RTL and USB boards
-
-CHECKS += check-grammar

@@ -1,69 +1,100 @@
 # SPDX-License-Identifier: MIT
-# Unit tests in C: test_<file>.c may use, or include, any part of the library.
-UNIT_SOURCES := $(wildcard tests/unit/test_*.c tests/unit/*/test_*.c tests/usb/test_*.c)
+# Unit tests in C. A test lies in a folder as what it tests, may use, or include, any part of the
+# library, and has a name of its own: make run-NAME runs it.
 
-$(BUILD)/tests/unit/%: tests/unit/%.c $(BUILD)/libaccel/parts.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Itests/unit $(CFLAGS) -pthread -MMD -MP -MF $@.d $< $(BUILD)/libaccel/parts.a \
-		$(UNIT_LDFLAGS) -lcmocka $(ACCEL_LIBS) -o $@
+UNIT_SOURCES := $(wildcard tests/unit/*/test_*.c tests/usb/test_*.c)
+UNIT_PROGRAMS := $(UNIT_SOURCES:%.c=$(BUILD)/%)
+# The programs of tests by their names.
+unit = $(foreach test,$(1),$(or $(filter %/$(test),$(UNIT_PROGRAMS)),$(error no unit test $(test))))
+wrap = $(addprefix -Wl$(comma)--wrap=,$(1))
+
+# The archive has all of the library's names, not only those it exports.
+$(UNIT_PROGRAMS): $(BUILD)/libaccel/parts.a
 
 define unit_run
-run-$(basename $(notdir $(1))): $(BUILD)/$(basename $(1))
+run-$(notdir $(1)): $(1)
 	$$(call quiet,TEST,$$(@:run-test_%=%))
 	$(Q)GLOSS_SIM_PATH=$$(SIM_DIR) FAKE_SIM_PATH=$$(FAKE_SIM_DIR) $$<
 endef
-$(foreach source,$(UNIT_SOURCES),$(eval $(call unit_run,$(source))))
+$(foreach program,$(UNIT_PROGRAMS),$(eval $(call unit_run,$(program))))
 
-# And each error of accel.h has a row in its table.
-run-test_errors: run-errors-table
-.PHONY: run-errors-table
-run-errors-table:
-	$(Q)tests/unit/object/test_errors.sh $(BUILD)
+# ---- model/ ----
 
--include $(wildcard $(BUILD)/tests/unit/*.d $(BUILD)/tests/unit/*/*.d $(BUILD)/tests/usb/test_*.d)
+MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
+UNIT_TESTS += $(MODEL_TESTS)
+$(call unit,$(MODEL_TESTS)): $(BUILD)/tests/unit/model/reference.o $(STREAM_RANDOM_OBJS)
+
+# ---- draw/ ----
+
+DRAW_UNIT_TESTS := test_setup test_setup_surface test_geometry test_lighting test_shading \
+	test_bin test_draw test_draw_colour test_draw_parts test_draw_split test_draw_clip \
+	test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
+UNIT_TESTS += $(DRAW_UNIT_TESTS)
+
+$(call unit,test_draw): private WRAPS := $(call wrap,accel_stream_submit)
+$(call unit,test_draw): $(DECODE_OBJECTS)
+$(call unit,test_draw_out_of_memory): private WRAPS := $(call wrap,malloc calloc realloc free)
+
+# ---- object/ and transport/ ----
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine test_device test_buffer \
 	test_sized test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
 	test_transport_sim test_transport_sim_core
-UNIT_TESTS += $(ACCEL_UNIT_TESTS) test_symbols
+UNIT_TESTS += test_symbols test_sim_wrapper
 
-$(call unit,test_unload): ACCEL_CFLAGS += -DACCEL_SO='"$(BUILD)/libaccel.so"'
+FLAGS_tests/unit/object/test_unload.c = -DACCEL_SO='"$(BUILD)/libaccel.so"'
 $(call unit,test_unload): | $(BUILD)/libaccel.so
 run-test_unload: $(BUILD)/libaccel.so
 
-comma := ,
-OUT_OF_MEMORY_LDFLAGS := $(addprefix -Wl$(comma)--wrap=, \
-	malloc calloc realloc free mmap munmap pthread_create pthread_join)
-$(call unit,test_out_of_memory): UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
+OUT_OF_MEMORY_WRAPS := $(call wrap,malloc calloc realloc free mmap munmap pthread_create pthread_join)
+$(call unit,test_out_of_memory): private WRAPS := $(OUT_OF_MEMORY_WRAPS)
 
 # A kernel with the gloss module, for tests of "drm:"; without libdrm there is nothing to test.
 ifneq ($(DRM_LIBS),)
 DRM_TESTS := test_transport_drm test_transport_drm_open test_transport_drm_out_of_memory
-FAKE_GLOSS_OBJS := $(addprefix $(BUILD)/tests/unit/transport/,fake_gloss.o fake_gloss_job.o fake_gloss_node.o)
-$(FAKE_GLOSS_OBJS): $(BUILD)/%.o: %.c
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(DRM_CFLAGS) $(CFLAGS) -pthread -MMD -MP -MF $@.d -c $< -o $@
-FAKE_GLOSS_LDFLAGS := $(FAKE_GLOSS_OBJS) $(addprefix -Wl$(comma)--wrap=, \
-	open close stat access readlink drmGetDevices2 drmFreeDevices)
-$(call unit,$(DRM_TESTS)): $(FAKE_GLOSS_OBJS)
-$(call unit,$(DRM_TESTS)): ACCEL_CFLAGS += $(DRM_CFLAGS)
-$(call unit,$(DRM_TESTS)): UNIT_LDFLAGS := $(FAKE_GLOSS_LDFLAGS)
-$(call unit,test_transport_drm_out_of_memory): UNIT_LDFLAGS += $(OUT_OF_MEMORY_LDFLAGS)
 ACCEL_UNIT_TESTS += $(DRM_TESTS)
-UNIT_TESTS += $(DRM_TESTS)
+FAKE_GLOSS_WRAPS := $(call wrap,open close stat access readlink drmGetDevices2 drmFreeDevices)
+$(call unit,$(DRM_TESTS)): $(addprefix $(BUILD)/tests/unit/transport/,fake_gloss.o fake_gloss_job.o \
+	fake_gloss_node.o)
+$(call unit,$(DRM_TESTS)): private WRAPS := $(FAKE_GLOSS_WRAPS)
+$(call unit,test_transport_drm_out_of_memory): private WRAPS := $(FAKE_GLOSS_WRAPS) \
+	$(OUT_OF_MEMORY_WRAPS)
 endif
 
-# Boards on USB, on the libusb of tests/usb, whose fragment builds most of these.
+# Boards on USB, on the libusb of tests/usb instead of the real one; of its own tests some are slow under
+# TSan and valgrind, and have a sample there. Other points each time; USB_FAULTS=1000 make
+# run-test_usb_faults for more.
 ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
 	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
 	test_transport_usb_out_of_memory test_process test_errors
-$(call unit,test_transport_usb_out_of_memory): UNIT_LDFLAGS := $(OUT_OF_MEMORY_LDFLAGS)
-ACCEL_UNIT_TESTS += test_usb_message test_usb_zero $(USB_UNIT_TESTS)
-UNIT_TESTS += test_usb_message test_usb_zero $(USB_UNIT_TESTS)
+USB_TESTS := test_fake_usb test_usb_errors test_usb_faults
+ACCEL_UNIT_TESTS += test_usb_message test_usb_zero $(USB_UNIT_TESTS) $(USB_TESTS)
+
+$(call unit,$(USB_TESTS) $(USB_UNIT_TESTS)): $(FAKE_USB_OBJS) $(STREAM_RANDOM_OBJS)
+$(call unit,$(USB_TESTS) $(USB_UNIT_TESTS)): private LIBS := -lcmocka \
+	$(filter-out $(USB_LIBS),$(ACCEL_LIBS))
+$(call unit,$(USB_TESTS) $(USB_UNIT_TESTS)): private WRAPS := $(call wrap,$(FAKE_USB_WRAPPED))
+$(call unit,test_transport_usb_out_of_memory): private WRAPS := $(call wrap,$(FAKE_USB_WRAPPED)) \
+	$(OUT_OF_MEMORY_WRAPS)
+$(call unit,test_usb_faults): $(BUILD)/tests/usb/usb_trial.o
+
+USB_FAULTS_SAMPLE ?= 40
+run-test_usb_faults: export USB_FAULTS ?= 250
+unit-thread unit-valgrind: export USB_FAULTS ?= $(USB_FAULTS_SAMPLE)
 endif
+
+UNIT_TESTS += $(ACCEL_UNIT_TESTS)
+
+# Each error of accel.h has a row in its table.
+run-test_errors: run-errors-table
+.PHONY: run-errors-table run-test_symbols
+run-errors-table:
+	$(Q)tests/unit/object/test_errors.sh $(BUILD)
+
+run-test_symbols: $(BUILD)/libaccel.so $(BUILD)/libaccel.a
+	$(call quiet,TEST,symbols)
+	$(Q)tests/unit/object/test_symbols.sh $(BUILD)
 
 # Plugins without a core: one that is right, and some that are wrong in one thing each.
 FAKE_SIM_DIR := $(BUILD)/tests/unit/fake-sim
@@ -87,10 +118,35 @@ $(BUILD)/tests/unit/bad-core/accel-sim-%.so: tests/unit/transport/bad_core.sv $(
 	$(call sim_plugin,tests/unit/transport/bad_core.sv)
 run-test_sim_wrapper: export BAD_CORE := $(BAD_CORE)
 run-test_sim_wrapper: $(BAD_CORE)
-UNIT_TESTS += test_sim_wrapper
 
-# The same tests with the compiler's checks built in, on the simulators of this build.
-SANITIZED_TESTS = $(MODEL_TESTS) $(DRAW_UNIT_TESTS) $(ACCEL_UNIT_TESTS)
+# ---- vboard/ ----
+
+VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_vboard_faults \
+	test_vboard_door test_vboard_qtest
+$(call unit,$(VBOARD_TESTS)): $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS)
+
+VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_bridge
+$(call unit,$(VBOARD_USB_TESTS)): $(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS)
+$(call unit,$(VBOARD_USB_TESTS)): private LIBS := -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS)
+
+# Tests of what is late have a clock of their own, and those of what is waited for wait for ever.
+$(call unit,test_vboard_faults test_vboard_usb_bridge): private WRAPS := $(call wrap,clock_gettime)
+$(call unit,test_vboard_door test_vboard_qtest): private WRAPS := $(call wrap,pthread_cond_clockwait)
+
+BOARD_UNIT_TESTS := test_port_pci test_port_usb test_port_usb_reset test_board_model \
+	test_board_usb_model
+$(call unit,$(BOARD_UNIT_TESTS)): $(PORT_TEST_OBJS) $(STREAM_RANDOM_OBJS) \
+	$(sort $(BOARD_MODEL_OBJECTS) $(BOARD_USB_MODEL_OBJECTS))
+
+UNIT_TESTS += $(VBOARD_TESTS) $(VBOARD_USB_TESTS) $(BOARD_UNIT_TESTS)
+
+# ---- tools/ ----
+
+$(call unit,test_decode): $(DECODE_OBJECTS)
+
+# ---- the same with the compiler's checks built in, on the simulators of this build ----
+
+SANITIZED_TESTS = $(MODEL_TESTS) $(DRAW_UNIT_TESTS) $(ACCEL_UNIT_TESTS) $(BOARD_UNIT_TESTS)
 SANITIZED_CFLAGS := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all
 SANITIZED_MAKE = $(MAKE) --no-print-directory SIM_DIR=$(SIM_DIR)
@@ -105,26 +161,11 @@ unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
 		CFLAGS='-O1 -g -fsanitize=thread' $(ACCEL_UNIT_TESTS:%=run-%)
 
 VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim \
-	$(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS))
+	$(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS)) $(filter-out %_errors,$(USB_TESTS))
 unit-valgrind: $(call unit,$(VALGRIND_TESTS)) $(FAKE_SIMS)
 	$(Q)for test in $(call unit,$(VALGRIND_TESTS)); do \
 		FAKE_SIM_PATH=$(FAKE_SIM_DIR) valgrind -q --error-exitcode=1 --leak-check=full \
 			$$test || exit 1; \
 	done
 
-.PHONY: test-install test-readme
-test-install: lib $(ACCEL_SIMS) ## install the library to a directory, and use it from there
-	$(Q)rm -rf $(BUILD)/tests/install/root
-	$(Q)+$(MAKE) --no-print-directory install-lib DESTDIR=$(BUILD)/tests/install/root
-	$(Q)tests/install/test_install.sh $(BUILD)/tests/install/root $(PREFIX) $(LIBDIR) \
-		"$(SIM_CORES)"
-
-test-readme: ## the README's program is the example
-	$(Q)tests/install/test_readme.sh $(BUILD)/tests/install
-
-CHECKS += test-install test-readme unit-sanitize unit-thread unit-valgrind
-
-.PHONY: run-test_symbols
-run-test_symbols: $(BUILD)/libaccel.so $(BUILD)/libaccel.a
-	$(call quiet,TEST,symbols)
-	$(Q)tests/unit/object/test_symbols.sh $(BUILD)
+CHECKS += unit-sanitize unit-thread unit-valgrind

@@ -15,25 +15,17 @@ VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_plain test_mes
 	test_phong_cover test_picture test_view_camera test_view_draw \
 	test_view_progress test_view_window
 
-$(VIEW_TESTS:%=$(BUILD)/tests/view/%): $(BUILD)/tests/view/%: tests/view/%.c $(SCENE_OBJS) \
-		$(BUILD)/libaccel.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d $< $(view_objs) \
-		$(SCENE_OBJS) $(BUILD)/libaccel.a -lcmocka $(SCENE_LIBS) $$(pkg-config --libs sdl2) -o $@
-
+FLAGS_tests/view := $(SCENE_CFLAGS)
+VIEW_TEST_PROGRAMS := $(VIEW_TESTS:%=$(BUILD)/tests/view/%)
+$(VIEW_TEST_PROGRAMS): private LIBS := -lcmocka $(VIEW_LIBS)
+$(VIEW_TEST_PROGRAMS): $(SCENE_OBJS) $(BUILD)/libaccel.a
 # With the rest of the viewer.
-define viewer_test
-$(BUILD)/tests/view/test_view_$(1): $$(VIEW_OBJS)
-$(BUILD)/tests/view/test_view_$(1): view_objs = $$(filter-out %/$(1).o,$$(VIEW_OBJS))
-endef
-$(foreach part,draw progress window,$(eval $(call viewer_test,$(part))))
+$(foreach part,draw progress window,$(eval \
+	$(BUILD)/tests/view/test_view_$(part): $(filter-out %/$(part).o,$(VIEW_OBJS))))
 
 $(VIEW_TESTS:%=run-%): run-%: $(BUILD)/tests/view/%
 	$(call quiet,TEST,$*)
 	$(Q)$<
-
--include $(VIEW_TESTS:%=$(BUILD)/tests/view/%.d)
 
 # The same with the compiler's checks built in. SDL's own libraries leak.
 .PHONY: view-sanitize

@@ -17,10 +17,9 @@ $(addprefix $(BUILD)/tests/vm/test_, latency inspect fault unplug swap): \
 	$(BUILD)/tests/vm/vm_board.o
 
 $(BUILD)/tests/vm/test_isolation: $(STREAM_RANDOM_OBJS)
-$(BUILD)/tests/vm/test_isolation: VM_CFLAGS += -Itests/stream
 
 # Where the C library has dlopen() apart.
-$(BUILD)/tests/vm/test_inspect: VM_LIBS += -ldl
+$(BUILD)/tests/vm/test_inspect: private LIBS = -lcmocka $(ACCEL_LIBS) -ldl
 
 VM_NEEDS += $(BUILD)/gloss-decode
 

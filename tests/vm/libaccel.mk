@@ -7,12 +7,10 @@ VM_NEEDS += $(BUILD)/gloss-view $(BUILD)/tests/vm/triangle
 
 # Random jobs on any board.
 VM_STREAM_OBJS := $(BUILD)/tests/vm/vm_stream.o $(STREAM_RANDOM_OBJS)
-$(BUILD)/tests/vm/vm_stream.o: VM_CFLAGS += -Itests/stream
 $(BUILD)/tests/vm/test_stream_drm: $(VM_STREAM_OBJS)
 $(BUILD)/tests/vm/test_library: $(BUILD)/tests/vm/vm_board.o
 
 # The first program of README.md.
-$(BUILD)/tests/vm/triangle: examples/triangle.c $(BUILD)/libaccel.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $^ $(ACCEL_LIBS) -o $@
+$(BUILD)/tests/vm/triangle: private LIBS := $(ACCEL_LIBS)
+$(BUILD)/tests/vm/triangle: $(BUILD)/examples/triangle.o $(BUILD)/libaccel.a
+	$(link)

@@ -9,5 +9,4 @@ VM_NEEDS += $(BUILD)/gloss-info
 
 $(BUILD)/tests/vm/test_usb_stream: $(VM_STREAM_OBJS)
 
-$(BUILD)/tests/vm/usb_plain.o: VM_CFLAGS += $(shell pkg-config --cflags libusb-1.0)
 $(BUILD)/tests/vm/test_usb_throughput: $(BUILD)/tests/vm/usb_plain.o

@@ -16,30 +16,20 @@ VM_NEEDS :=
 
 -include $(sort $(filter-out tests/vm/vm.mk,$(wildcard tests/vm/*.mk)))
 
-VM_CFLAGS = -Idriver -Ilibaccel -Itools $(DRM_CFLAGS) $(USB_CFLAGS)
-VM_LIBS   = -lcmocka $(ACCEL_LIBS)
-
-# What a program needs besides, objects or archives, is a prerequisite of its own:
-# $(BUILD)/tests/vm/NAME: $(BUILD)/tests/vm/HELPER.o
-$(BUILD)/tests/vm/%: tests/vm/%.c $(BUILD)/libaccel/parts.a
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(VM_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d $(filter %.c %.o,$^) \
-		$(filter %.a,$^) $(VM_LIBS) -o $@
-
-$(BUILD)/tests/vm/%.o: tests/vm/%.c
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(VM_CFLAGS) $(CFLAGS) -MMD -MP -MF $@.d -c $< -o $@
+FLAGS_tests/vm := $(DRM_CFLAGS) $(USB_CFLAGS)
 
 $(BUILD)/tests/vm/%: tests/vm/%.sh
 	@mkdir -p $(@D)
 	$(Q)install -m 755 $< $@
 
+# What a program needs besides, objects or archives, is a prerequisite of its own:
+# $(BUILD)/tests/vm/NAME: $(BUILD)/tests/vm/HELPER.o
 vm_names    = $(foreach test,$(1),$(word 2,$(subst :, ,$(test))))
 VM_NAMES    = $(call vm_names,$(VM_TESTS) $(VM_BENCHES))
 VM_NO_BENCH = $(patsubst %,--without %,$(call vm_names,$(VM_BENCHES)))
 VM_PROGRAMS = $(VM_NAMES:%=$(BUILD)/tests/vm/%)
+
+$(patsubst %.c,$(BUILD)/%,$(wildcard tests/vm/test_*.c)): $(BUILD)/libaccel/parts.a
 
 VM_RUNNER_SOURCES := $(wildcard tests/vm/runner/*.c)
 $(BUILD)/tests/vm/runner: $(VM_RUNNER_SOURCES) tests/vm/runner/runner.h
@@ -59,7 +49,7 @@ $(BUILD)/tests/vm/list: FORCE
 	@printf '%s\n' $(VM_TESTS) $(VM_BENCHES) | cmp -s - $@ || \
 		printf '%s\n' $(VM_TESTS) $(VM_BENCHES) >$@
 
-.PHONY: vm-programs vm-modules check-vm check-kasan bench-vm FORCE
+.PHONY: vm-programs vm-modules check-vm check-kasan bench-vm
 vm-programs: $(VM_PROGRAMS) $(VM_NEEDS) $(BUILD)/tests/vm/runner $(BUILD)/tests/vm/list \
 	$(BUILD)/vboard-pci $(BUILD)/vboard-usb $(BOARD_RTL_PLUGIN) $(USB_RTL_PLUGIN) ## what runs in the virtual machine, and its boards
 
@@ -110,5 +100,3 @@ check-kasan-%:
 
 check-kasan: vm-programs ## check-vm with KASAN, lockdep, kmemleak... (KERNEL); builds kernels at first
 	$(Q)+$(MAKE) --no-print-directory -k $(KASAN_KERNELS:%=check-kasan-%)
-
--include $(wildcard $(BUILD)/tests/vm/*.d)

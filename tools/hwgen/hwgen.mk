@@ -4,16 +4,9 @@
 HWGEN := $(BUILD)/hwgen
 HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen/*.c)))
 
-$(HWGEN_OBJECTS): $(BUILD)/%.o: %.c
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Itools $(CFLAGS) -MMD -MP -c -o $@ $<
-
+$(HWGEN): private LIBS := -lexpat
 $(HWGEN): $(HWGEN_OBJECTS) $(OUTPUT_OBJECT)
-	$(call quiet,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lexpat
-
--include $(HWGEN_OBJECTS:.o=.d)
+	$(link)
 
 .PHONY: generate check-generated
 generate: $(HWGEN) ## rewrite what is made from rtl/gloss.xml
@@ -34,20 +27,3 @@ check-generated: $(HWGEN) ## fail if a generated file differs from rtl/gloss.xml
 		echo "$$file is not what rtl/gloss.xml says: run 'make generate' and commit it" >&2; \
 		exit 1; \
 	done
-
-$(BUILD)/tests/hwgen/test_small: tests/hwgen/test_small.c tests/hwgen/small.h \
-		tests/hwgen/small_regs.h
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $< -lcmocka -o $@
-
-.PHONY: run-hwgen refresh-hwgen
-run-hwgen: $(BUILD)/tests/hwgen/test_small $(HWGEN)
-	$(call quiet,TEST,hwgen)
-	$(Q)$(BUILD)/tests/hwgen/test_small
-	$(Q)tests/hwgen/run $(HWGEN) $(BUILD)
-
-refresh-hwgen: $(HWGEN) ## make what hwgen does now the expected; read the diff
-	$(Q)tests/hwgen/run $(HWGEN) $(BUILD) --refresh
-
-UNIT_TESTS += hwgen

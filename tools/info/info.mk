@@ -1,21 +1,14 @@
 # SPDX-License-Identifier: MIT
-# gloss-info, its tests, and the udev rule that lets users have USB boards.
+# gloss-info, and the udev rule that lets users have USB boards.
 
-INFO_PARTS := $(addprefix $(BUILD)/tools/info/, list.o print.o json.o)
-INFO_OBJECTS := $(BUILD)/tools/info/main.o $(INFO_PARTS)
+INFO_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/info/*.c)))
 
-$(INFO_OBJECTS): $(BUILD)/%.o: %.c
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -Itools $(CFLAGS) -MMD -MP -c -o $@ $<
+FLAGS_tools/info/main.c := -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
+$(BUILD)/tools/info/main.o: VERSION
 
-$(BUILD)/tools/info/main.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
-
+$(BUILD)/gloss-info: private LIBS := $(ACCEL_LIBS)
 $(BUILD)/gloss-info: $(INFO_OBJECTS) $(DEVICE_OBJECT) $(BUILD)/libaccel.a
-	$(call quiet,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(ACCEL_LIBS) -o $@
-
--include $(INFO_OBJECTS:.o=.d)
+	$(link)
 
 .PHONY: install-info install-udev
 install-info: $(BUILD)/gloss-info
@@ -30,5 +23,3 @@ install-udev: tools/udev/60-gloss.rules
 
 INSTALLS += install-info install-udev
 ALL += $(BUILD)/gloss-info
-
-include tests/info/info.mk

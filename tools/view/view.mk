@@ -1,25 +1,18 @@
 # SPDX-License-Identifier: MIT
 # gloss-view.
 
-VIEW_SOURCES := $(addprefix tools/view/, camera.c compare.c draw.c light.c material.c number.c options.c \
-	progress.c stats.c turntable.c window.c)
-
-VIEW_OBJS := $(VIEW_SOURCES:%.c=$(BUILD)/%.o)
 VIEW_MAIN := $(BUILD)/tools/view/main.o
+VIEW_OBJS := $(filter-out $(VIEW_MAIN),$(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/view/*.c))))
+VIEW_LIBS := $(SCENE_LIBS) $(shell pkg-config --libs sdl2 2>/dev/null)
 
-$(VIEW_OBJS) $(VIEW_MAIN): $(BUILD)/%.o: %.c
-	$(call quiet,CC,$<)
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(VIEW_CFLAGS) $(CFLAGS) -MMD -MP -c $< -o $@
+FLAGS_tools/view := $(SCENE_CFLAGS)
+FLAGS_tools/view/options.c := -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
+$(BUILD)/tools/view/options.o: VERSION
 
 # The library is linked in, so that build/gloss-view runs where it stands.
+$(BUILD)/gloss-view: private LIBS := $(VIEW_LIBS)
 $(BUILD)/gloss-view: $(VIEW_MAIN) $(VIEW_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
-	$(call quiet,LD,$@)
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(SCENE_LIBS) $$(pkg-config --libs sdl2) -o $@
-
--include $(VIEW_OBJS:.o=.d) $(VIEW_MAIN:.o=.d)
-
-$(BUILD)/tools/view/options.o: ACCEL_CFLAGS += -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
+	$(link)
 
 .PHONY: install-view
 install-view: $(BUILD)/gloss-view
@@ -30,9 +23,4 @@ install-view: $(BUILD)/gloss-view
 		$(DESTDIR)$(PREFIX)/share/bash-completion/completions/gloss-view
 
 INSTALLS += install-view
-LINT_C += $(VIEW_CFLAGS)
 ALL += $(BUILD)/gloss-view
-
-include tests/image/image.mk
-include tests/bench/bench.mk
-include tests/view/view.mk

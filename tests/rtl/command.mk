@@ -52,10 +52,9 @@ CHECKS += rtl-lib rtl-command
 # Figures of the core in clocks; it fails if one misses its aim.
 BENCH_CORES := $(foreach lanes,1 2 4 8,$(BUILD)/sim/accel-sim-t64-k$(lanes).so)
 
-$(BUILD)/tests/bench/bench_core: tests/bench/bench_core.c libaccel/sim/sim.h libaccel/gloss_packets.h
-	$(call quiet,CC,$<)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) $(CFLAGS) $< -ldl -o $@
+$(BUILD)/tests/bench/bench_core: private LIBS := -ldl
+$(BUILD)/tests/bench/bench_core: $(BUILD)/tests/bench/bench_core.o
+	$(link)
 
 .PHONY: bench-core check-speed
 bench-core: $(BUILD)/tests/bench/bench_core $(BENCH_CORES) ## pixels a clock, clocks a triangle, hidden transfers

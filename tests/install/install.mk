@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# What is installed is enough to build and run programs; the module's other ways to be built.
+
+.PHONY: test-install test-readme check-dkms check-kbuild
+test-install: lib $(ACCEL_SIMS) ## install the library to a directory, and use it from there
+	$(Q)rm -rf $(BUILD)/tests/install/root
+	$(Q)+$(MAKE) --no-print-directory install-lib DESTDIR=$(BUILD)/tests/install/root
+	$(Q)tests/install/test_install.sh $(BUILD)/tests/install/root $(PREFIX) $(LIBDIR) \
+		"$(SIM_CORES)"
+
+test-readme: ## the README's program is the example
+	$(Q)tests/install/test_readme.sh $(BUILD)/tests/install
+
+check-dkms: ## dkms.conf builds gloss.ko for each Debian kernel here
+	$(call quiet,DKMS,driver)
+	$(Q)kernels=$$(tests/vm/kernels --release) && \
+		{ tests/install/test_dkms.sh $(BUILD)/tests/dkms $$kernels || [ $$? -eq 77 ]; }
+
+check-kbuild: ## make -C KDIR M=$PWD in the top folder builds gloss.ko
+	$(call quiet,KBUILD,Kbuild)
+	$(Q)tests/install/test_kbuild.sh $(BUILD)/tests/kbuild $(KDIR)
+
+CHECKS += test-install test-readme check-dkms check-kbuild
