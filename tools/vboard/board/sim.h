@@ -25,7 +25,8 @@ public:
 		board_.memory_pages_i = size / GLOSS_PAGE_BYTES;
 	}
 
-	virtual ~BoardSim() = default;
+	/* Scopes of a board leave the context of the thread, which is that of the board made last. */
+	virtual ~BoardSim() { Verilated::threadContextp(&context_); }
 
 	/* Power on; its end is CONTROL.reset's, too. */
 	void reset()
