@@ -81,7 +81,11 @@ run-kernels:
 	$(call quiet,TEST,kernels)
 	$(Q)tests/vm/test_kernels.sh $(BUILD)/tests/vm/kernels
 
-UNIT_TESTS += kernels
+run-vm-run:
+	$(call quiet,TEST,vm/run)
+	$(Q)tests/vm/test_run.sh $(BUILD)/tests/vm/test_run
+
+UNIT_TESTS += kernels vm-run
 CHECKS  += check-vm
 BENCHES += bench-vm
 
