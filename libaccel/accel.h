@@ -282,6 +282,7 @@ struct accel_material {
 	size_t size;			/* of this struct, bytes: set by ACCEL_MATERIAL() */
 	float emission[4], ambient[4], diffuse[4], specular[4];
 	float shininess;		/* the specular exponent, 0 to 1000 */
+	uint32_t reserved;		/* 0 */
 };
 #define ACCEL_MATERIAL(...) ACCEL_SIZED(accel_material, __VA_ARGS__)
 
@@ -302,6 +303,7 @@ struct accel_light {
 	float spot_direction[3];	/* all 0: as 0, 0, -1 */
 	float spot_exponent;		/* how fast it gets less bright, 0 to 128 */
 	float spot_cutoff;		/* degrees, above 0 to 90; 0, or 180 as in OpenGL: no spot */
+	uint32_t reserved;		/* 0 */
 };
 #define ACCEL_LIGHT(...) ACCEL_SIZED(accel_light, __VA_ARGS__)
 
@@ -362,30 +364,73 @@ void accel_state_set_local_viewer(struct accel_state *state, bool enabled);
 /* The light that comes from everywhere. -EINVAL: a value is not finite. */
 int accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
 /* @back may be NULL and is then the same as @front. -EINVAL: a shininess is outside 0..1000, a
- * value is not finite, or a size is not set. -E2BIG: a struct has members that are not known. */
+ * value is not finite, or a size is not set or @reserved is. -E2BIG: a struct has members that
+ * are not known. */
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
 			     const struct accel_material *back);
 /* -EINVAL: @index is not in 0..ACCEL_LIGHTS-1; a value is not finite; an attenuation of a point
- * is negative; a spot's exponent or cutoff is out of range; the size is not set. -E2BIG: @light
- * has members that are not known. */
+ * is negative; a spot's exponent or cutoff is out of range; the size is not set or @reserved is.
+ * -E2BIG: @light has members that are not known. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
 
 /* ---- mesh: lent for the duration of a call ---- */
 
-enum accel_topology { ACCEL_TRIANGLES, ACCEL_TRIANGLE_STRIP, ACCEL_TRIANGLE_FAN };
-
-/* Arrays of @vertices elements, tightly packed. @normal and @colour may be NULL. So may @index:
- * then the vertices are drawn in order and @indices is ignored. */
-struct accel_mesh {
-	enum accel_topology topology;
-	uint32_t vertices;
-	const float (*position)[3];
-	const float (*normal)[3];	/* of any length; NULL: each triangle has its own */
-	const float (*colour)[4];
-	uint32_t indices;
-	const uint32_t *index;
+/* What vertices make, in OpenGL's order. Triangles, their strips and fans are drawn so far. */
+enum accel_topology {
+	ACCEL_TOPOLOGY_POINTS,
+	ACCEL_TOPOLOGY_LINES,
+	ACCEL_TOPOLOGY_LINE_LOOP,
+	ACCEL_TOPOLOGY_LINE_STRIP,
+	ACCEL_TOPOLOGY_TRIANGLES,
+	ACCEL_TOPOLOGY_TRIANGLE_STRIP,
+	ACCEL_TOPOLOGY_TRIANGLE_FAN,
+	ACCEL_TOPOLOGY_QUADS,
+	ACCEL_TOPOLOGY_QUAD_STRIP,
+	ACCEL_TOPOLOGY_POLYGON
 };
+
+/* Of a number in an array. FLOAT everywhere and normalised UBYTE for colours are read so far. */
+enum accel_type {
+	ACCEL_TYPE_FLOAT,
+	ACCEL_TYPE_DOUBLE,
+	ACCEL_TYPE_FIXED,		/* s15.16 */
+	ACCEL_TYPE_BYTE,
+	ACCEL_TYPE_UBYTE,
+	ACCEL_TYPE_SHORT,
+	ACCEL_TYPE_USHORT,
+	ACCEL_TYPE_INT,
+	ACCEL_TYPE_UINT
+};
+
+/*
+ * An element for each vertex, at any address. With no more than @data it is an array of floats
+ * without gaps, as many for each vertex as the attribute has:
+ *
+ *	struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
+ *					    .position = { .data = corner });
+ */
+struct accel_array {
+	const void *data;		/* NULL: there is none */
+	uint32_t stride;		/* bytes from an element to the next; 0: no gaps */
+	enum accel_type type;
+	uint8_t components;		/* numbers of an element; 0: all of the attribute */
+	bool normalised;		/* the whole range of an integer type stands for 0 to 1 */
+	bool constant;			/* the first element is all vertices', @stride is ignored */
+};
+
+struct accel_mesh {
+	size_t size;			/* of this struct, bytes: set by ACCEL_MESH() */
+	enum accel_topology topology;
+	uint32_t vertices;		/* that the arrays have */
+	struct accel_array position;	/* x, y, z; or x and y, and z is 0 */
+	struct accel_array normal;	/* x, y, z, of any length; none: flat, from the triangle */
+	struct accel_array colour;	/* RGBA; or RGB, and alpha is 1 */
+	const uint32_t *index;		/* of vertices; NULL: all of them in order */
+	uint32_t indices;		/* ignored without @index */
+	uint32_t reserved;		/* 0 */
+};
+#define ACCEL_MESH(...) ACCEL_SIZED(accel_mesh, __VA_ARGS__)
 
 /* ---- draw: a frame being collected ---- */
 
@@ -423,7 +468,9 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
  * Draws @mesh on @target. All meshes between two submits have to have the same target, which
  * may be freed before the frame is submitted.
  * -EINVAL: another target than before; an index out of range; a coordinate that is not finite; no
- * position array. Nothing of the mesh is drawn then. After -ENOMEM the frame is empty.
+ * position array; an array or a topology that is not drawn so far; a size that is not set, or
+ * @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn
+ * then. After -ENOMEM the frame is empty.
  *
  * Pixels are covered by OpenGL's rule, with vertices rounded to 1/16 pixel. Shading changes
  * neither which pixels are covered nor their depth, so passes with different shading meet.

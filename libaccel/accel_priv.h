@@ -70,6 +70,9 @@ struct accel_state {
  * bytes, with that size. -EINVAL: it has no size. -E2BIG: more in it is set than is known.
  */
 int accel_sized_in(void *own, size_t known, const void *given);
+/* Says why accel_sized_in returned @err for a struct called @what, which @macro begins. */
+void accel_sized_message(struct accel_device *device, const char *what, const char *macro,
+			 int err);
 /* As much of a struct of the library, of @known bytes, as the program has room for; the rest of
  * its @size bytes is zero. */
 void accel_sized_out(void *given, size_t size, const void *own, size_t known);

@@ -32,6 +32,16 @@ int accel_sized_in(void *own, size_t known, const void *given)
 	return 0;
 }
 
+void accel_sized_message(struct accel_device *device, const char *what, const char *macro, int err)
+{
+	if (err == -E2BIG)
+		accel_device_message(device, "a %s with more than libaccel %s knows: the program "
+				     "needs a newer library", what, accel_version());
+	else
+		accel_device_message(device, "a %s whose size is not set: begin it with %s()", what,
+				     macro);
+}
+
 void accel_sized_out(void *given, size_t size, const void *own, size_t known)
 {
 	size_t both = size < known ? size : known;

@@ -161,7 +161,8 @@ static bool state_material_valid(const struct accel_material *material)
 {
 	return state_finite(material->emission, 4) && state_finite(material->ambient, 4) &&
 	       state_finite(material->diffuse, 4) && state_finite(material->specular, 4) &&
-	       material->shininess >= 0 && material->shininess <= SHININESS_MAX;
+	       !material->reserved && material->shininess >= 0 &&
+	       material->shininess <= SHININESS_MAX;
 }
 
 int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
@@ -226,7 +227,7 @@ int accel_state_set_light(struct accel_state *state, int index, const struct acc
 		return err;
 	if (!state_finite(light.position, 4) || !state_finite(light.ambient, 4) ||
 	    !state_finite(light.diffuse, 4) || !state_finite(light.specular, 4) ||
-	    !state_attenuation_valid(&light) || !state_spot_valid(&light))
+	    !state_attenuation_valid(&light) || !state_spot_valid(&light) || light.reserved)
 		return -EINVAL;
 	state_light_complete(&light);
 	state->light[index] = light;

@@ -172,19 +172,19 @@ static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
 }
 
 static int draw_mesh_add(struct accel_draw *draw, struct accel_target *target,
-		    const struct accel_state *state, const struct accel_mesh *mesh)
+			 const struct accel_state *state, const struct accel_mesh *mesh)
 {
 	struct accel_pass pass = {
 		.device = draw->device,
 		.state = state,
 		.mesh = mesh,
 		.lit = state->lighting,
-		.painted = state->lighting && state->colour_material && mesh->colour,
+		.painted = state->lighting && state->colour_material && mesh->colour.data,
 		.interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
-	int err = accel_mesh_check(draw->device, mesh);
+	int err = accel_mesh_begin(&pass);
 
 	if (!err)
 		err = draw_reserve_vertices(draw, mesh->vertices);
@@ -208,8 +208,14 @@ static int draw_mesh_add(struct accel_draw *draw, struct accel_target *target,
 int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 		    const struct accel_state *state, const struct accel_mesh *mesh)
 {
-	int err = draw_mesh_add(draw, target, state, mesh);
+	struct accel_mesh known;
+	int err = accel_sized_in(&known, sizeof(known), mesh);
 
+	if (err) {
+		accel_sized_message(draw->device, "mesh", "ACCEL_MESH", err);
+		return err;
+	}
+	err = draw_mesh_add(draw, target, state, &known);
 	if (err == -ENOMEM)
 		draw_frame_lose(draw);
 	return err;

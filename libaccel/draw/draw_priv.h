@@ -4,6 +4,7 @@
  *
  *   draw.c       the calls of accel.h
  *   mesh.c       the triangles of a mesh, culling
+ *   fetch.c      elements of a mesh's arrays
  *   geometry.c   vertices to the window, each once
  *   clip.c       triangles that leave the view volume or the guard band
  *   lighting.c   colour at a point of a surface
@@ -108,6 +109,24 @@ struct accel_patch {
 	const struct accel_vertex *vertex[3];
 	const struct accel_edge *edge[3];
 };
+
+/* ---- fetch.c ---- */
+
+enum accel_attribute { ACCEL_ATTRIBUTE_POSITION, ACCEL_ATTRIBUTE_NORMAL, ACCEL_ATTRIBUTE_COLOUR };
+
+/* How an array is read. */
+struct accel_fetch {
+	const uint8_t *data;		/* NULL: there is none */
+	size_t step;			/* bytes from an element to the next */
+	uint8_t components;
+	bool bytes;			/* instead of floats, 255 is 1 */
+};
+
+/* -EINVAL: an array that is not read, and a message says why. */
+int accel_fetch_init(struct accel_fetch *fetch, struct accel_device *device,
+		     enum accel_attribute attribute, const struct accel_array *array);
+/* Components that the array does not have are 0, 0, 0, 1. There must be an array. */
+void accel_fetch_element(const struct accel_fetch *fetch, uint32_t number, float out[4]);
 
 /* ---- geometry.c ---- */
 
@@ -218,6 +237,7 @@ struct accel_pass {
 	struct accel_device *device;	/* for messages */
 	const struct accel_state *state;
 	const struct accel_mesh *mesh;
+	struct accel_fetch position, normal, colour;	/* its arrays */
 	bool lit, painted;
 	bool interpolated;		/* points between vertices are not lit */
 	struct accel_transform transform;
@@ -231,8 +251,11 @@ struct accel_pass {
 
 /* ---- mesh.c ---- */
 
-/* -EINVAL: no position array, or an index out of range. */
-int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh);
+/*
+ * Looks at pass->mesh, all but the content of its arrays, and gets ready to fetch from these.
+ * -EINVAL: no position array, an index out of range, or what is not drawn.
+ */
+int accel_mesh_begin(struct accel_pass *pass);
 /* Fills pass->vertex. -EINVAL: something is not finite. */
 int accel_mesh_transform(struct accel_pass *pass);
 int accel_mesh_draw(struct accel_pass *pass);

@@ -6,11 +6,20 @@
 
 #include "draw/draw_priv.h"
 
-int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
+static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 {
-	if (!mesh->position || (unsigned int)mesh->topology > ACCEL_TRIANGLE_FAN) {
-		accel_device_message(device, mesh->position ? "a mesh of unknown topology" :
-							      "a mesh without positions");
+	if (mesh->topology < ACCEL_TOPOLOGY_TRIANGLES ||
+	    mesh->topology > ACCEL_TOPOLOGY_TRIANGLE_FAN) {
+		accel_device_message(device,
+				     "a mesh of topology %u: so far triangles, their strips "
+				     "and fans are drawn, %u to %u",
+				     mesh->topology, ACCEL_TOPOLOGY_TRIANGLES,
+				     ACCEL_TOPOLOGY_TRIANGLE_FAN);
+		return -EINVAL;
+	}
+	if (!mesh->position.data || mesh->reserved) {
+		accel_device_message(device, mesh->reserved ? "a mesh whose reserved member is set"
+							    : "a mesh without positions");
 		return -EINVAL;
 	}
 	for (uint32_t i = 0; mesh->index && i < mesh->indices; i++) {
@@ -21,6 +30,23 @@ int accel_mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 		return -EINVAL;
 	}
 	return 0;
+}
+
+int accel_mesh_begin(struct accel_pass *pass)
+{
+	const struct accel_mesh *mesh = pass->mesh;
+	int err = mesh_check(pass->device, mesh);
+
+	if (!err)
+		err = accel_fetch_init(&pass->position, pass->device, ACCEL_ATTRIBUTE_POSITION,
+				       &mesh->position);
+	if (!err)
+		err = accel_fetch_init(&pass->normal, pass->device, ACCEL_ATTRIBUTE_NORMAL,
+				       &mesh->normal);
+	if (!err)
+		err = accel_fetch_init(&pass->colour, pass->device, ACCEL_ATTRIBUTE_COLOUR,
+				       &mesh->colour);
+	return err;
 }
 
 /* A mesh's colour, limited; white if @colour is NULL. */
@@ -36,30 +62,40 @@ static int mesh_vertex_colour(const float *colour, float out[4])
 	return 0;
 }
 
-int accel_mesh_transform(struct accel_pass *pass)
+/* @normal and @colour say whether the mesh's are wanted. */
+static int mesh_vertex(const struct accel_pass *pass, uint32_t i, bool normal, bool colour)
 {
-	const struct accel_mesh *mesh = pass->mesh;
-	const float (*normal)[3] = pass->lit ? mesh->normal : NULL;
-	const float (*colour)[4] = pass->lit && !pass->painted ? NULL : mesh->colour;
+	struct accel_vertex *vertex = &pass->vertex[i];
+	float position[4], across[4], paint[4];
 	int err;
 
-	for (uint32_t i = 0; i < mesh->vertices; i++) {
-		struct accel_vertex *vertex = &pass->vertex[i];
+	accel_fetch_element(&pass->position, i, position);
+	if (normal)
+		accel_fetch_element(&pass->normal, i, across);
+	if (colour)
+		accel_fetch_element(&pass->colour, i, paint);
+	err = accel_geometry_vertex(&pass->transform, position, normal ? across : NULL, vertex);
+	if (!err)
+		err = mesh_vertex_colour(colour ? paint : NULL, vertex->paint);
+	/* Without lighting it is all there is to see. */
+	vertex->sample = (struct accel_sample){ 0 };
+	memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
+	return err;
+}
 
-		err = accel_geometry_vertex(&pass->transform, mesh->position[i],
-					    normal ? normal[i] : NULL, vertex);
-		if (!err)
-			err = mesh_vertex_colour(colour ? colour[i] : NULL, vertex->paint);
-		/* Without lighting it is all there is to see. */
-		vertex->sample = (struct accel_sample){ 0 };
-		memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
-		if (err) {
+int accel_mesh_transform(struct accel_pass *pass)
+{
+	bool normal = pass->lit && pass->normal.data;
+	bool colour = (!pass->lit || pass->painted) && pass->colour.data;
+	int err = 0;
+
+	for (uint32_t i = 0; i < pass->mesh->vertices && !err; i++) {
+		err = mesh_vertex(pass, i, normal, colour);
+		if (err)
 			accel_device_message(pass->device,
 					     "vertex %u of the mesh is not finite", i);
-			return err;
-		}
 	}
-	return 0;
+	return err;
 }
 
 /* The direction in which the front of a triangle looks, by its vertices in eye space. */
@@ -140,7 +176,10 @@ static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const v
 		struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	for (int i = 0; i < 3; i++) {
-		accel_clip_corner(&pass->transform, pass->mesh->position[index[i]], &polygon[i]);
+		float position[4];
+
+		accel_fetch_element(&pass->position, index[i], position);
+		accel_clip_corner(&pass->transform, position, &polygon[i]);
 		polygon[i].vertex = *vertex[i];
 		polygon[i].vertex.sampled = 0;
 	}
@@ -195,7 +234,7 @@ static void mesh_flatten(struct accel_vertex *vertex[3], struct accel_vertex own
 /* The last of @index is the vertex that gives a flat triangle its colour. */
 static int mesh_draw_triangle(struct accel_pass *pass, const uint32_t index[3])
 {
-	bool shared = !pass->lit || pass->mesh->normal;
+	bool shared = !pass->lit || pass->normal.data;
 	struct accel_vertex *vertex[3], own[3];
 	uint32_t any = 0, all = ~0u;
 	int side;
@@ -223,10 +262,10 @@ static void mesh_triangle_index(const struct accel_mesh *mesh, uint32_t i, uint3
 {
 	uint32_t element[3] = { i, i + 1, i + 2 };
 
-	if (mesh->topology == ACCEL_TRIANGLE_FAN)
+	if (mesh->topology == ACCEL_TOPOLOGY_TRIANGLE_FAN)
 		element[0] = 0;
 	/* Every second triangle of a strip turns the other way. */
-	if (mesh->topology == ACCEL_TRIANGLE_STRIP && i % 2) {
+	if (mesh->topology == ACCEL_TOPOLOGY_TRIANGLE_STRIP && i % 2) {
 		element[0] = i + 1;
 		element[1] = i;
 	}
@@ -238,7 +277,7 @@ int accel_mesh_draw(struct accel_pass *pass)
 {
 	const struct accel_mesh *mesh = pass->mesh;
 	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
-	uint32_t step = mesh->topology == ACCEL_TRIANGLES ? 3 : 1;
+	uint32_t step = mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
 	uint32_t index[3];
 	int err = 0;
 

@@ -120,9 +120,9 @@ static uint64_t words(struct bench *bench, enum accel_shading shading, uint32_t 
 		{ 0.1f, 0, 1 }, { 0, 0.2f, 1 }, { -0.2f, 0, 1 },
 		{ 0, 0.1f, 1 }, { 0.2f, 0, 1 }, { 0.1f, 0.1f, 1 },
 	};
-	const struct accel_mesh mesh = {
-		.vertices = count * 3, .position = position, .normal = normal,
-	};
+	const struct accel_mesh mesh =
+		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = count * 3,
+			   .position = { .data = position }, .normal = { .data = normal });
 	struct accel_draw_stats stats;
 
 	scene_init(&bench->scene, SIZE, SIZE);

@@ -290,20 +290,51 @@ static void set_state(void)
 
 /* ---- calls ---- */
 
+/* Of @data that has VERTICES elements of @most floats; no element reaches behind them. */
+static struct accel_array any_array(const void *data, int most)
+{
+	struct accel_array array = { .data = data };
+
+	if (one_in(2))
+		array.stride = (uint32_t)below(4 * most + 1);
+	if (one_in(4))
+		array.components = (uint8_t)(one_in(20) ? below(most + 2) : most - below(2));
+	if (most == 4 && one_in(3)) {
+		array.type = ACCEL_TYPE_UBYTE;
+		array.normalised = !one_in(20);
+	}
+	if (one_in(50))
+		array.type = (enum accel_type)any_int();
+	array.constant = one_in(20);
+	return array;
+}
+
+static enum accel_topology any_topology(void)
+{
+	if (one_in(50))
+		return (enum accel_topology)any_int();
+	return (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES + below(3));
+}
+
 static void draw_mesh(const struct board *board, struct accel_target *target)
 {
 	static float position[VERTICES][3], normal[VERTICES][3], colour[VERTICES][4];
 	static uint32_t index[INDICES];
-	struct accel_mesh mesh = { .topology = (enum accel_topology)below(3) };
+	struct accel_mesh mesh = ACCEL_MESH(.topology = any_topology());
 	int err;
 
 	any_floats(&position[0][0], VERTICES * 3);
 	any_floats(&normal[0][0], VERTICES * 3);
 	any_floats(&colour[0][0], VERTICES * 4);
 	mesh.vertices = (uint32_t)below(VERTICES + 1);
-	mesh.position = one_in(50) ? NULL : position;
-	mesh.normal = one_in(3) ? NULL : normal;
-	mesh.colour = one_in(3) ? NULL : colour;
+	if (one_in(2)) {
+		mesh.position = (struct accel_array){ .data = position };
+		mesh.normal = any_array(one_in(3) ? NULL : normal, 3);
+	} else {
+		mesh.position = any_array(one_in(50) ? NULL : position, 3);
+		mesh.normal.data = one_in(3) ? NULL : normal;
+	}
+	mesh.colour = any_array(one_in(3) ? NULL : colour, 4);
 	mesh.indices = (uint32_t)below(INDICES + 1);
 	mesh.index = one_in(2) ? index : NULL;
 	for (int i = 0; i < INDICES; i++)

@@ -207,14 +207,13 @@ static void strip_and_fan(struct stage *stage)
 		{ 1, 0, 1, 1 }, { 0, 1, 1, 1 }, { 1, 1, 1, 0.5f },
 	};
 	static const uint32_t fan[] = { 4, 6, 5, 3 };
-	struct accel_mesh mesh = {
-		.topology = ACCEL_TRIANGLE_STRIP, .vertices = 7, .position = position,
-		.colour = colour,
-	};
+	struct accel_mesh mesh =
+		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP, .vertices = 7,
+			   .position = { .data = position }, .colour = { .data = colour });
 
 	mesh.vertices = 4;
 	need(accel_draw_mesh(stage->draw, stage->target, stage->state, &mesh), "strip");
-	mesh.topology = ACCEL_TRIANGLE_FAN;
+	mesh.topology = ACCEL_TOPOLOGY_TRIANGLE_FAN;
 	mesh.vertices = 7;
 	mesh.indices = 4;
 	mesh.index = fan;

@@ -26,7 +26,7 @@ $(call unit,$(MODEL_TESTS)): $(BUILD)/tests/unit/model/reference.o $(STREAM_RAND
 
 # ---- draw/ ----
 
-DRAW_UNIT_TESTS := test_setup test_setup_surface test_geometry test_lighting test_shading \
+DRAW_UNIT_TESTS := test_setup test_setup_surface test_fetch test_geometry test_lighting test_shading \
 	test_bin test_draw test_draw_colour test_draw_parts test_draw_split test_draw_clip \
 	test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
 UNIT_TESTS += $(DRAW_UNIT_TESTS)

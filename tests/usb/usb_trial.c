@@ -249,8 +249,9 @@ static int picture_mesh(const struct item *item, struct accel_draw *draw,
 {
 	static const float black[4];
 	float position[3 * TRIANGLES][3], colour[3 * TRIANGLES][4];
-	const struct accel_mesh mesh = { .vertices = 3 * TRIANGLES, .position = position,
-					 .colour = colour };
+	const struct accel_mesh mesh =
+		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3 * TRIANGLES,
+			   .position = { .data = position }, .colour = { .data = colour });
 	uint64_t seed = item->seed;
 	int err;
 

@@ -43,10 +43,10 @@ static inline int setup(void **state)
 	scene_init(&f->scene, SIZE, SIZE);
 	for (int i = 0; i < 4; i++)
 		f->normal[i][2] = 1;
-	f->scene.mesh = (struct accel_mesh){
-		.vertices = 4, .position = square, .normal = (const float(*)[3])f->normal,
-		.indices = 6, .index = square_index,
-	};
+	f->scene.mesh = (struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						      .vertices = 4, .position = { .data = square },
+						      .normal = { .data = f->normal }, .indices = 6,
+						      .index = square_index);
 	f->scene.local_viewer = false;
 	*state = f;
 	return phong_frame_new(&f->scene, true, &f->frame);

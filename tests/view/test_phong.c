@@ -176,7 +176,8 @@ static void culled_faces_are_not_drawn(void **state)
 static void strips_fans_and_lists_are_the_same_square(void **state)
 {
 	static const uint32_t strip[4] = { 0, 1, 3, 2 };
-	static const enum accel_topology topology[] = { ACCEL_TRIANGLE_STRIP, ACCEL_TRIANGLE_FAN };
+	static const enum accel_topology topology[] = { ACCEL_TOPOLOGY_TRIANGLE_STRIP,
+							ACCEL_TOPOLOGY_TRIANGLE_FAN };
 	struct fixture *f = *state;
 
 	f->scene.mesh.indices = 4;
@@ -203,7 +204,7 @@ static void without_normals_a_face_has_its_own(void **state)
 {
 	struct fixture *f = *state;
 
-	f->scene.mesh.normal = NULL;
+	f->scene.mesh.normal.data = NULL;
 	matrix_rotate_x(f->scene.modelview, 60);
 	f->scene.material[0] = scene_material_grey(0, 1, 0, 1);
 	assert_int_equal(phong_draw(&f->scene, &f->frame), 0);

@@ -42,7 +42,7 @@ static void random_convex(float quad[4][3])
 static void add_cover(struct fixture *f, const float quad[4][3], const uint32_t index[3],
 		      uint8_t *count)
 {
-	f->scene.mesh.position = quad;
+	f->scene.mesh.position.data = quad;
 	f->scene.mesh.index = index;
 	f->scene.mesh.indices = 3;
 	assert_int_equal(phong_draw(&f->scene, &f->frame), 0);
@@ -80,9 +80,9 @@ static void the_nearest_triangle_is_seen_whatever_the_order(void **state)
 	static const uint32_t order[2][6] = { { 0, 1, 2, 3, 4, 5 }, { 3, 4, 5, 0, 1, 2 } };
 	struct fixture *f = *state;
 
-	f->scene.mesh.position = position;
+	f->scene.mesh.position.data = position;
 	f->scene.mesh.vertices = 6;
-	f->scene.mesh.normal = NULL;
+	f->scene.mesh.normal.data = NULL;
 	/* Without a projection that turns z, greater z is farther. */
 	for (int i = 0; i < 2; i++) {
 		f->scene.mesh.index = order[i];
@@ -135,9 +135,9 @@ static void the_library_covers_the_same_pixels(void **state)
 
 	open_board(&board);
 	f->scene.cull = ACCEL_CULL_NONE;
-	f->scene.mesh = (struct accel_mesh){
-		.vertices = 60, .position = (const float(*)[3])position,
-	};
+	f->scene.mesh =
+		(struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 60,
+					      .position = { .data = position });
 	matrix_perspective(f->scene.projection, 40, 1, 1, 8);
 	matrix_translate(f->scene.modelview, 0, 0, -4);
 	for (int round = 0; round < 100; round++) {
@@ -183,7 +183,7 @@ static void colours_of_the_mesh_are_the_material(void **state)
 	struct board board;
 
 	open_board(&board);
-	f->scene.mesh.colour = colour;
+	f->scene.mesh.colour.data = colour;
 	f->scene.material[0] = scene_material_grey(0.3f, 0, 0, 1);
 	f->scene.light[0].enabled = false;
 	f->scene.painted = true;

@@ -90,13 +90,11 @@ void mesh_rescale(struct mesh *mesh, float centre[3], float *radius)
 
 struct accel_mesh mesh_lend(const struct mesh *mesh)
 {
-	return (struct accel_mesh){
-		.topology = ACCEL_TRIANGLES,
-		.vertices = mesh->vertices,
-		.position = (const float(*)[3])mesh->position,
-		.normal = (const float(*)[3])mesh->normal,
-		.colour = (const float(*)[4])mesh->colour,
-		.indices = mesh->triangles * 3,
-		.index = mesh->triangle[0],
-	};
+	return (struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+					     .vertices = mesh->vertices,
+					     .position = { .data = mesh->position },
+					     .normal = { .data = mesh->normal },
+					     .colour = { .data = mesh->colour },
+					     .indices = mesh->triangles * 3,
+					     .index = mesh->triangle[0]);
 }

@@ -98,6 +98,8 @@ static bool between_planes(const struct phong_vertex *v)
 static struct phong_vertex *transform(const struct scene *scene, const struct phong_frame *frame)
 {
 	const struct accel_mesh *mesh = &scene->mesh;
+	const float (*position)[3] = mesh->position.data, (*normal)[3] = mesh->normal.data;
+	const float (*colour)[4] = mesh->colour.data;
 	struct phong_vertex *vertex = calloc(mesh->vertices, sizeof(*vertex));
 	float normal_matrix[9];
 	double m[16];
@@ -107,7 +109,7 @@ static struct phong_vertex *transform(const struct scene *scene, const struct ph
 	matrix_normal(normal_matrix, scene->modelview);
 	clip_matrix(m, scene);
 	for (uint32_t i = 0; i < mesh->vertices; i++) {
-		const float *p = mesh->position[i];
+		const float *p = position[i];
 		struct phong_vertex *v = &vertex[i];
 		float eye[4];
 
@@ -117,9 +119,9 @@ static struct phong_vertex *transform(const struct scene *scene, const struct ph
 			v->clip[row] = m[row] * (double)p[0] + m[4 + row] * (double)p[1] +
 				       m[8 + row] * (double)p[2] + m[12 + row];
 		for (int j = 0; j < 3 && phong_painted(scene); j++)
-			v->paint[j] = clamp(mesh->colour[i][j]);
-		if (mesh->normal)
-			transform_normal(v->normal, normal_matrix, mesh->normal[i]);
+			v->paint[j] = clamp(colour[i][j]);
+		if (normal)
+			transform_normal(v->normal, normal_matrix, normal[i]);
 		if (between_planes(v))
 			phong_fill_project(frame, v);
 	}
@@ -186,14 +188,14 @@ static void draw_triangle(const struct phong_fill *fill, const struct phong_vert
 	bool whole = between_planes(a) && between_planes(b) && between_planes(c);
 	struct phong_vertex copy[3];
 
-	if (whole && fill->scene->mesh.normal) {
+	if (whole && fill->scene->mesh.normal.data) {
 		phong_fill_triangle(fill, a, b, c);
 		return;
 	}
 	copy[0] = *a;
 	copy[1] = *b;
 	copy[2] = *c;
-	for (int i = 0; i < 3 && !fill->scene->mesh.normal; i++)
+	for (int i = 0; i < 3 && !fill->scene->mesh.normal.data; i++)
 		face_normal(copy[i].normal, a->eye, b->eye, c->eye);
 	draw_clipped(fill, copy);
 }
@@ -211,10 +213,10 @@ static int draw_mesh(const struct phong_fill *fill, const struct phong_vertex *v
 {
 	const struct accel_mesh *mesh = &fill->scene->mesh;
 	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
-	uint32_t step = mesh->topology == ACCEL_TRIANGLES ? 3 : 1;
+	uint32_t step = mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
 
 	for (uint32_t i = 0; i + 2 < elements; i += step) {
-		uint32_t first = mesh->topology == ACCEL_TRIANGLE_FAN ? 0 : i;
+		uint32_t first = mesh->topology == ACCEL_TOPOLOGY_TRIANGLE_FAN ? 0 : i;
 		const struct phong_vertex *a = element(mesh, vertex, first);
 		const struct phong_vertex *b = element(mesh, vertex, i + 1);
 		const struct phong_vertex *c = element(mesh, vertex, i + 2);
@@ -222,7 +224,7 @@ static int draw_mesh(const struct phong_fill *fill, const struct phong_vertex *v
 		if (!a || !b || !c)
 			return -EINVAL;
 		/* Every second triangle of a strip turns the other way. */
-		if (mesh->topology == ACCEL_TRIANGLE_STRIP && i % 2)
+		if (mesh->topology == ACCEL_TOPOLOGY_TRIANGLE_STRIP && i % 2)
 			draw_triangle(fill, b, a, c);
 		else
 			draw_triangle(fill, a, b, c);

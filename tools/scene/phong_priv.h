@@ -35,7 +35,7 @@ struct phong_fill {
 
 static inline bool phong_painted(const struct scene *scene)
 {
-	return scene->painted && scene->mesh.colour;
+	return scene->painted && scene->mesh.colour.data;
 }
 
 void phong_fill_init(struct phong_fill *fill, const struct scene *scene,

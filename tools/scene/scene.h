@@ -8,7 +8,7 @@
 struct scene {
 	int width, height;		/* of the picture, pixels */
 	int left, top;			/* the picture's pixel that is the target's first */
-	struct accel_mesh mesh;		/* lent */
+	struct accel_mesh mesh;		/* lent, of packed floats */
 	float modelview[16], projection[16];
 	enum accel_cull cull;
 	bool two_sided, local_viewer;

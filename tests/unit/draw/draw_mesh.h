@@ -20,12 +20,10 @@ struct shape {
 
 static inline void shape_begin(struct shape *shape)
 {
-	shape->mesh = (struct accel_mesh){
-		.topology = ACCEL_TRIANGLES,
-		.position = shape->position,
-		.normal = shape->normal,
-		.index = shape->index,
-	};
+	shape->mesh = (struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						    .position = { .data = shape->position },
+						    .normal = { .data = shape->normal },
+						    .index = shape->index);
 }
 
 static inline uint32_t shape_vertex(struct shape *shape, const double position[3],

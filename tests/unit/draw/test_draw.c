@@ -68,13 +68,9 @@ static int teardown(void **state)
 
 static struct accel_mesh square_mesh(void)
 {
-	return (struct accel_mesh){
-		.topology = ACCEL_TRIANGLES,
-		.vertices = 4,
-		.position = square,
-		.indices = 6,
-		.index = square_index,
-	};
+	return (struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 4,
+					     .position = { .data = square }, .indices = 6,
+					     .index = square_index);
 }
 
 static int mesh_draw(struct fixture *f, const struct accel_mesh *mesh)
@@ -133,7 +129,7 @@ static void a_mesh_that_is_none_is_refused(void **state)
 	const uint32_t beyond[3] = { 0, 1, 4 };
 	struct accel_mesh mesh = square_mesh();
 
-	mesh.position = NULL;
+	mesh.position.data = NULL;
 	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
 	assert_message(&f->messages, "without positions");
 	mesh = square_mesh();
@@ -175,9 +171,9 @@ static void a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn(void **
 	float position[4][3], normal[4][3] = { { 0 } }, colour[4][4] = { { 0 } };
 	struct accel_mesh mesh = square_mesh();
 
-	mesh.position = position;
-	mesh.normal = normal;
-	mesh.colour = colour;
+	mesh.position.data = position;
+	mesh.normal.data = normal;
+	mesh.colour.data = colour;
 	memcpy(position, square, sizeof(square));
 	position[3][1] = INFINITY;
 	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
@@ -248,15 +244,15 @@ static void the_topologies_draw_the_same(void **state)
 	/* The strip has the square's other diagonal, which a plane of colours does not show. */
 	for (int i = 0; i < 4; i++)
 		colour[2][i] = colour[1][i] + colour[3][i] - colour[0][i];
-	mesh.colour = colour;
+	mesh.colour.data = colour;
 	accel_state_set_shading(f->state, ACCEL_SHADING_GOURAUD);
 	accel_state_set_cull(f->state, ACCEL_CULL_BACK);
 	picture(f, &mesh, pixels);
-	mesh.topology = ACCEL_TRIANGLE_FAN;
+	mesh.topology = ACCEL_TOPOLOGY_TRIANGLE_FAN;
 	mesh.index = NULL;
 	picture(f, &mesh, others);
 	assert_memory_equal(pixels, others, sizeof(pixels));
-	mesh.topology = ACCEL_TRIANGLE_STRIP;
+	mesh.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP;
 	mesh.index = strip_index;
 	mesh.indices = 4;
 	picture(f, &mesh, others);
@@ -274,11 +270,8 @@ static void a_long_strip_turns_no_triangle_over(void **state)
 {
 	struct fixture *f = *state;
 	float position[20][3];
-	const struct accel_mesh mesh = {
-		.topology = ACCEL_TRIANGLE_STRIP,
-		.vertices = 20,
-		.position = position,
-	};
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP,
+						  .vertices = 20, .position = { .data = position });
 
 	for (int i = 0; i < 20; i++) {
 		position[i][0] = -1 + 2 * (float)(i / 2) / 9;
@@ -308,7 +301,7 @@ static void what_is_left_over_of_three_is_not_drawn(void **state)
 	assert_int_equal(mesh_draw(f, &mesh), 0);
 	mesh.index = NULL;
 	mesh.vertices = 0;
-	mesh.topology = ACCEL_TRIANGLE_FAN;
+	mesh.topology = ACCEL_TOPOLOGY_TRIANGLE_FAN;
 	assert_int_equal(mesh_draw(f, &mesh), 0);
 	assert_int_equal(stats_of(f).triangles_in, 1);
 }
@@ -319,7 +312,7 @@ static void flat_takes_the_colour_of_the_last_vertex(void **state)
 	const float colour[4][4] = { { 1, 1, 1, 1 }, { 1, 1, 1, 1 }, { 1, 0, 0, 1 }, { 1, 0, 0, 1 } };
 	struct accel_mesh mesh = square_mesh();
 
-	mesh.colour = colour;
+	mesh.colour.data = colour;
 	accel_state_set_shading(f->state, ACCEL_SHADING_FLAT);
 	picture(f, &mesh, pixels);
 	assert_all(RED);
@@ -337,7 +330,7 @@ static void back_faces_have_their_own_material_if_they_are_two_sided(void **stat
 		ACCEL_MATERIAL(.emission = { 0, 1, 0, 1 }, .diffuse[3] = 1);
 	struct accel_mesh mesh = square_mesh();
 
-	mesh.normal = normal;
+	mesh.normal.data = normal;
 	assert_int_equal(accel_state_set_material(f->state, &front, &back), 0);
 	accel_state_set_lighting(f->state, true);
 	accel_state_set_two_sided(f->state, true);
@@ -364,9 +357,9 @@ static void a_mesh_without_normals_is_lit_by_its_planes(void **state)
 	assert_int_equal(accel_state_set_light(f->state, 0, &light), 0);
 	accel_state_set_lighting(f->state, true);
 	accel_state_set_local_viewer(f->state, false);
-	mesh.position = slope;
+	mesh.position.data = slope;
 	picture(f, &mesh, pixels);
-	mesh.normal = normal;
+	mesh.normal.data = normal;
 	picture(f, &mesh, others);
 	assert_memory_equal(pixels, others, sizeof(pixels));
 	assert_true((pixels[0] & 0xff) > 100 && (pixels[0] & 0xff) < 200);
@@ -400,7 +393,7 @@ static void nothing_is_drawn_beside_the_viewport(void **state)
 
 	for (int i = 0; i < 12; i++)
 		wide[i / 3][i % 3] = 2 * square[i / 3][i % 3];
-	mesh.position = wide;
+	mesh.position.data = wide;
 	accel_state_set_viewport(f->state, 30, 40, 20, 10);
 	picture(f, &mesh, pixels);
 	for (int i = 0; i < SIDE * SIDE; i++) {
@@ -421,7 +414,7 @@ static void a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target(voi
 
 	for (int i = 0; i < 12; i++)
 		wide[i / 3][i % 3] = 9 * square[i / 3][i % 3];
-	mesh.position = wide;
+	mesh.position.data = wide;
 	for (int n = 0; n < 9 * 9 * 9; n++) {
 		int from = end[n % 9], size = end[n / 9 % 9], across = end[n / 81];
 		int64_t last = (int64_t)from + size;
@@ -459,8 +452,8 @@ static void depth_functions_and_masks_are_kept(void **state)
 	memcpy(near, square, sizeof(near));
 	for (int i = 0; i < 4; i++)
 		near[i][2] = -0.5f;
-	front.position = near;
-	front.colour = red;
+	front.position.data = near;
+	front.colour.data = red;
 	accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);
 	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
 	assert_int_equal(mesh_draw(f, &front), 0);
@@ -564,7 +557,8 @@ static void a_triangle_that_clipping_leaves_nothing_of_counts_as_culled_once(voi
 {
 	static const float sliver[3][3] = { { 0.001f, 0.001f, -2 }, { 0.009f, 0.001f, 0 },
 					    { 0.001f, 0.009f, 0 } };
-	struct accel_mesh mesh = { .vertices = 3, .position = sliver };
+	struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
+					    .position = { .data = sliver });
 	struct fixture *f = *state;
 
 	assert_int_equal(mesh_draw(f, &mesh), 0);
@@ -652,13 +646,12 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 
 	for (int n = 0; n < 3000; n++) {
 		float position[12][3], normal[12][3], colour[12][4];
-		const struct accel_mesh mesh = {
-			.topology = (enum accel_topology)test_below(&seed, 3),
-			.vertices = 12,
-			.position = position,
-			.normal = test_below(&seed, 2) ? normal : NULL,
-			.colour = test_below(&seed, 2) ? colour : NULL,
-		};
+		const struct accel_mesh mesh =
+			ACCEL_MESH(.topology = (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES +
+								     test_below(&seed, 3)),
+				   .vertices = 12, .position = { .data = position },
+				   .normal = { .data = test_below(&seed, 2) ? normal : NULL },
+				   .colour = { .data = test_below(&seed, 2) ? colour : NULL });
 
 		for (int i = 0; i < 36; i++) {
 			position[i / 3][i % 3] = random_float(&seed);

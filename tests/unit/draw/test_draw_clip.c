@@ -139,11 +139,8 @@ static void draw_parallelogram(struct fixture *f, const struct parallelogram *p)
 {
 	struct coverage coverage = { SIDE, SIDE, counts, 0, 0 };
 	float position[4][3];
-	const struct accel_mesh mesh = {
-		.topology = ACCEL_TRIANGLE_STRIP,
-		.vertices = 4,
-		.position = position,
-	};
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP,
+						  .vertices = 4, .position = { .data = position });
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 3; j++)

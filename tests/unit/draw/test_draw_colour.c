@@ -26,7 +26,7 @@ static int setup(void **state)
 	f.state = state_shiny(20);
 	accel_state_set_local_viewer(f.state, false);
 	shape_sphere(&f.shape, 6);
-	f.shape.mesh.colour = (const float(*)[4])f.colour;
+	f.shape.mesh.colour.data = f.colour;
 	*state = &f;
 	return 0;
 }
@@ -106,7 +106,7 @@ static void colours_are_nothing_unless_asked_for(void **state)
 
 	paint(f, 1, 0, 0, 1);
 	draw(f, with);
-	f->shape.mesh.colour = NULL;
+	f->shape.mesh.colour.data = NULL;
 	draw(f, without);
 	assert_memory_equal(with, without, sizeof(with));
 	/* Asked for and not there: the material. */

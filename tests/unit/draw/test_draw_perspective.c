@@ -63,8 +63,9 @@ struct coloured {
 static void draw_coloured(struct fixture *f, const struct coloured *t,
 			  struct accel_draw_stats *stats)
 {
-	const struct accel_mesh mesh = { .topology = ACCEL_TRIANGLES, .vertices = 3,
-					 .position = t->position, .colour = t->colour };
+	const struct accel_mesh mesh =
+		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
+			   .position = { .data = t->position }, .colour = { .data = t->colour });
 
 	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), 0);
@@ -236,8 +237,9 @@ static void light_is_that_of_the_vertices_though_they_are_clipped(void **state)
 	static const float normal[3][3] = { { 0.6f, 0, 0.8f }, { -0.6f, 0, 0.8f },
 					    { 0, 0.8f, 0.6f } };
 	struct coloured t = { .position = { { -2, -1, -6 }, { 2, -1.5f, -4 }, { 0.2f, 1, 0.5f } } };
-	const struct accel_mesh mesh = { .topology = ACCEL_TRIANGLES, .vertices = 3,
-					 .position = t.position, .normal = normal };
+	const struct accel_mesh mesh =
+		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
+			   .position = { .data = t.position }, .normal = { .data = normal });
 	struct accel_state *shiny = state_shiny(5);
 	struct accel_lighting lighting;
 	struct fixture *f = *state;

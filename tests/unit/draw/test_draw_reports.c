@@ -16,8 +16,9 @@ static const float square[4][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, {
 
 static struct accel_mesh strip(const float (*position)[3], uint32_t vertices)
 {
-	return (struct accel_mesh){ .topology = ACCEL_TRIANGLE_STRIP, .vertices = vertices,
-				    .position = position };
+	return (struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP,
+					     .vertices = vertices,
+					     .position = { .data = position });
 }
 
 /* Draws on black, and returns how many pixels the mesh has. */
@@ -71,7 +72,8 @@ static void less_than_a_triangle_is_nothing(void)
 {
 	struct accel_mesh mesh;
 
-	for (int topology = 0; topology < 3; topology++)
+	for (int topology = ACCEL_TOPOLOGY_TRIANGLES;
+	     topology <= ACCEL_TOPOLOGY_TRIANGLE_FAN; topology++)
 		for (uint32_t n = 0; n < 3; n++) {
 			const uint32_t index[3] = { 0, 1, 2 };
 
@@ -106,7 +108,7 @@ static void lit(struct accel_light light, float shininess, const float normal[3]
 			       .diffuse = { 0.4f, 0.4f, 0.4f, 1 },
 			       .specular = { 0.2f, 0.2f, 0.2f, 1 }, .shininess = shininess);
 
-	mesh.normal = normals;
+	mesh.normal.data = normals;
 	for (int i = 0; i < 12; i++)
 		normals[i / 3][i % 3] = normal[i % 3];
 	accel_state_set_lighting(state, true);

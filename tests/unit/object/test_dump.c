@@ -267,7 +267,8 @@ static void a_child_of_fork_writes_nothing(void **state)
 static void a_frame_is_written_as_the_board_has_it(void **state)
 {
 	static const float corner[3][3] = { { -1, -1, 0 }, { 3, -1, 0 }, { -1, 3, 0 } };
-	const struct accel_mesh mesh = { .vertices = 3, .position = corner };
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						  .vertices = 3, .position = { .data = corner });
 	struct fixture *fixture = *state;
 	struct accel_target *target;
 	struct accel_draw_stats stats;

@@ -16,7 +16,8 @@ static struct accel_draw *draw;
 static struct accel_stream *stream;
 
 static const float corner[3][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { 0, 1, 0 } };
-static const struct accel_mesh mesh = { .vertices = 3, .position = corner };
+static const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						 .vertices = 3, .position = { .data = corner });
 
 /* ---- what goes wrong ---- */
 
@@ -284,7 +285,7 @@ static int material_of_a_later_version(void)
 {
 	struct {
 		struct accel_material now;
-		int later;
+		uint64_t later;
 	} material = { ACCEL_MATERIAL(), 1 };
 
 	material.now.size = sizeof(material);
@@ -295,7 +296,7 @@ static int light_of_a_later_version(void)
 {
 	struct {
 		struct accel_light now;
-		int later;
+		uint64_t later;
 	} light = { ACCEL_LIGHT(), 1 };
 
 	light.now.size = sizeof(light);
@@ -316,7 +317,20 @@ static int clear_what_is_not_there(void)
 
 static int mesh_without_positions(void)
 {
-	return accel_draw_mesh(draw, target, state_of_all, &(struct accel_mesh){ .vertices = 3 });
+	return accel_draw_mesh(draw, target, state_of_all,
+			       &(struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+							      .vertices = 3));
+}
+
+static int mesh_of_a_later_version(void)
+{
+	struct {
+		struct accel_mesh now;
+		uint64_t later;
+	} later = { mesh, 1 };
+
+	later.now.size = sizeof(later);
+	return accel_draw_mesh(draw, target, state_of_all, &later.now);
 }
 
 static int submit_draw(void)
@@ -485,6 +499,7 @@ static const struct reached {
 	{ "accel_state_set_light", -E2BIG, light_of_a_later_version },
 	{ "accel_draw_clear", -EINVAL, clear_what_is_not_there },
 	{ "accel_draw_mesh", -EINVAL, mesh_without_positions },
+	{ "accel_draw_mesh", -E2BIG, mesh_of_a_later_version },
 	{ "accel_draw_submit", -EINVAL, frame_that_clears_nothing },
 	{ "accel_draw_submit", -EIO, frame_on_a_board_that_fails },
 	{ "accel_draw_submit", -ENODEV, frame_on_no_board },

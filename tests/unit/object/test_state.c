@@ -159,6 +159,9 @@ static void shininess_has_its_range(void **state)
 	assert_int_equal(accel_state_set_material(*state, &bad, NULL), -EINVAL);
 	bad.shininess = -0.5f;
 	assert_int_equal(accel_state_set_material(*state, &bad, NULL), -EINVAL);
+	bad = material;
+	bad.reserved = 1;
+	assert_int_equal(accel_state_set_material(*state, &bad, NULL), -EINVAL);
 }
 
 static const struct accel_light spot =
@@ -205,6 +208,7 @@ static void a_light_out_of_range_changes_nothing(void **state)
 	refuse(spot_cutoff, 91);
 	refuse(spot_cutoff, -1);
 	refuse(spot_cutoff, NAN);
+	refuse(reserved, 1);
 #undef refuse
 	assert_memory_equal(s, &before, sizeof(before));
 	assert_int_equal(accel_state_set_light(s, 0, &good), 0);
@@ -281,12 +285,12 @@ static void a_struct_without_its_size_changes_nothing(void **state)
 /* Structs of a version to come. */
 struct later_light {
 	struct accel_light light;
-	float hue;
+	double hue;
 };
 
 struct later_material {
 	struct accel_material material;
-	float roughness;
+	double roughness;
 };
 
 static void a_later_struct_is_taken_if_all_that_is_new_is_zero(void **state)

@@ -472,8 +472,9 @@ static void draw(const char *name, uint32_t pixel[64 * 64])
 	static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 },
 					    { 0, 0.9f, 0 } };
 	static const float colour[3][4] = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 } };
-	static const struct accel_mesh mesh = { .vertices = 3, .position = corner,
-						.colour = colour };
+	static const struct accel_mesh mesh =
+		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
+			   .position = { .data = corner }, .colour = { .data = colour });
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_state *state;
