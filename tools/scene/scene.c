@@ -12,7 +12,8 @@ static void grey(float rgba[4], float value)
 
 static struct accel_light light_white(void)
 {
-	struct accel_light light = ACCEL_LIGHT(.enabled = true, .spot_direction = { 0, 0, -1 });
+	struct accel_light light = ACCEL_LIGHT(.enabled = true, .attenuation = { 1, 0, 0 },
+						 .spot_direction = { 0, 0, -1 });
 
 	grey(light.ambient, 0);
 	grey(light.diffuse, 1);
