@@ -94,20 +94,22 @@ static int dump_text(struct dump_job *dump)
 {
 	const struct accel_transport_info *info = &dump->device->info;
 	const struct accel_transport_job *job = dump->job;
+	bool written;
 	FILE *file;
 	int err = dump_open(dump, "txt", &file);
 
 	if (err)
 		return err;
-	fprintf(file, "gloss job 1\nboard: %s\ntile: %u\n", info->name, info->tile_size);
-	fprintf(file, "stream: %u words\nresponse: %u words\n", job->stream_words,
-		job->response_words);
-	for (unsigned int i = 0; i < job->slots; i++)
-		fprintf(file, "slot %u: %llu bytes,%s%s\n", i,
-			(unsigned long long)dump->buffer[i]->size,
-			job->slot[i].rights & GLOSS_RIGHTS_READ ? " read" : "",
-			job->slot[i].rights & GLOSS_RIGHTS_WRITE ? " write" : "");
-	return dump_close(file, ferror(file) ? -EIO : 0);
+	written = fprintf(file, "gloss job 1\nboard: %s\ntile: %u\n", info->name,
+			  info->tile_size) > 0 &&
+		  fprintf(file, "stream: %u words\nresponse: %u words\n", job->stream_words,
+			  job->response_words) > 0;
+	for (unsigned int i = 0; i < job->slots && written; i++)
+		written = fprintf(file, "slot %u: %llu bytes,%s%s\n", i,
+				  (unsigned long long)dump->buffer[i]->size,
+				  job->slot[i].rights & GLOSS_RIGHTS_READ ? " read" : "",
+				  job->slot[i].rights & GLOSS_RIGHTS_WRITE ? " write" : "") > 0;
+	return dump_close(file, written ? 0 : -errno);
 }
 
 static int dump_stream(struct dump_job *dump)

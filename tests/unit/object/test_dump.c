@@ -227,24 +227,33 @@ static void a_folder_that_is_not_there_is_one_message(void **state)
 }
 
 /* As a full disk: a file may have so many bytes and no more. */
-static void a_disk_without_room_is_one_message(void **state)
+static void without_room(struct fixture *fixture, rlim_t bytes, const char *message)
 {
-	struct fixture *fixture = *state;
 	struct rlimit limit, small;
 	uint32_t response, word = 0;
 
 	getrlimit(RLIMIT_FSIZE, &limit);
 	small = limit;
-	small.rlim_cur = 4096;
+	small.rlim_cur = bytes;
 	signal(SIGXFSZ, SIG_IGN);
 	setrlimit(RLIMIT_FSIZE, &small);
 	for (uint32_t n = 1; n < 4; n++)
 		submit(fixture, n, &response);
 	setrlimit(RLIMIT_FSIZE, &limit);
 	assert_int_equal(fixture->messages.count, 1);
-	assert_message(&fixture->messages, ".slot0: File too large; no more jobs");
+	assert_message(&fixture->messages, message);
 	assert_int_equal(accel_buffer_read(fixture->written, 8, &word, 4), 0);
 	assert_int_equal(word, 3);
+}
+
+static void a_disk_without_room_is_one_message(void **state)
+{
+	without_room(*state, 4096, ".slot0: File too large; no more jobs");
+}
+
+static void a_disk_without_room_for_text_is_one_message(void **state)
+{
+	without_room(*state, 10, ".txt: File too large; no more jobs");
 }
 
 static void a_child_of_fork_writes_nothing(void **state)
@@ -304,6 +313,7 @@ int main(void)
 		WITH_FOLDER(jobs_of_several_devices_have_names_of_their_own),
 		WITH_FOLDER(a_folder_that_is_not_there_is_one_message),
 		WITH_FOLDER(a_disk_without_room_is_one_message),
+		WITH_FOLDER(a_disk_without_room_for_text_is_one_message),
 		WITH_FOLDER(a_child_of_fork_writes_nothing),
 		WITH_FOLDER(a_frame_is_written_as_the_board_has_it),
 	};
