@@ -14,15 +14,16 @@ void accel_transport_say(struct accel_transport_error *error, const char *format
 	va_end(arguments);
 }
 
-void accel_transport_copy(const struct accel_transport_job *job, uint32_t *to)
+void accel_transport_copy(const struct accel_transport_job *job, void *to)
 {
 	const struct accel_transport_part whole = { job->stream, job->stream_words };
 	const struct accel_transport_part *part = job->stream ? &whole : job->part;
 	size_t left = job->stream_words;
+	char *at = to;
 
 	while (left) {
-		memcpy(to, part->words, part->count * sizeof(*to));
-		to += part->count;
+		memcpy(at, part->words, part->count * sizeof(*part->words));
+		at += part->count * sizeof(*part->words);
 		left -= part->count;
 		part++;
 	}

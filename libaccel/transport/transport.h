@@ -61,7 +61,7 @@ void accel_transport_say(struct accel_transport_error *error, const char *format
 	__attribute__((format(printf, 2, 3)));
 
 /* Copies the stream of @job, the only time that this is done, to where the board has it from. */
-void accel_transport_copy(const struct accel_transport_job *job, uint32_t *to);
+void accel_transport_copy(const struct accel_transport_job *job, void *to);
 
 struct accel_transport_ops {
 	/* Scheme of device names, without the colon: "model". */

@@ -235,7 +235,7 @@ static void drm_job_fill(const struct drm_job *job, const struct accel_transport
 	uint8_t *map = job->buffer->map;
 
 	memcpy(map + STATUS_OFFSET, &lost, sizeof(lost));
-	accel_transport_copy(from, (uint32_t *)(void *)(map + STREAM_OFFSET));
+	accel_transport_copy(from, map + STREAM_OFFSET);
 }
 
 static int drm_job_new(struct transport_drm *transport, const struct accel_transport_job *from,
