@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The demo, gloss-view as a stranger meets it, and tests of its parts.
 
-.PHONY: demo-run view
+.PHONY: demo-run view view-window
 demo-run: $(BUILD)/gloss-view $(SIM_DIR)/accel-sim-t64-k8.so
 	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) tests/view/demo $(BUILD)/gloss-view $(MODELS)/bunny.obj $(BUILD)/demo
 
@@ -9,6 +9,9 @@ view: $(BUILD)/gloss-view ## gloss-view's messages, exit codes and files
 	$(Q)tests/view/run $(abspath $<)
 	$(Q)tests/view/meshes $(abspath $<) $(MODELS)
 	$(Q)tests/view/completion $(abspath $<)
+
+view-window: $(BUILD)/gloss-view ## gloss-view's window on an X server without a screen
+	$(Q)tests/view/window $(abspath $<)
 
 # A test of the viewer's insides includes the file it is about.
 VIEW_TESTS := test_mesh test_mesh_build test_mesh_child test_mesh_plain test_mesh_shape test_phong \
@@ -36,4 +39,4 @@ view-sanitize: ## gloss-view and its tests under ASan and UBSan
 		SANITIZED=yes $(patsubst %,run-%,$(filter-out %_window,$(VIEW_TESTS))) view
 
 UNIT_TESTS += $(VIEW_TESTS)
-CHECKS += view view-sanitize
+CHECKS += view view-window view-sanitize
