@@ -7,10 +7,15 @@
 
 static char library_message[512];
 
+/* That a job could not be written to a file is the reason of no error. */
 static void keep_message(void *data, const char *message)
 {
-	(void)data;
-	snprintf(library_message, sizeof(library_message), "%s", message);
+	const char *program = data;
+
+	if (!strncmp(message, "ACCEL_DUMP: ", strlen("ACCEL_DUMP: ")))
+		fprintf(stderr, "%s: %s\n", program, message);
+	else
+		snprintf(library_message, sizeof(library_message), "%s", message);
 }
 
 const char *device_reason(int error)
@@ -44,7 +49,7 @@ int device_open(const char *program, const char *name, struct accel_device **dev
 	int err;
 
 	device_reason_forget();
-	err = accel_device_new(name, keep_message, NULL, device);
+	err = accel_device_new(name, keep_message, (void *)(uintptr_t)program, device);
 	if (err)
 		no_device(program, name, err);
 	return err;

@@ -7,7 +7,7 @@
 
 /*
  * Opens the board called @name. If it does not open, one line on stderr says so,
- * "@program: what: @name: why". Returns 0 or -errno.
+ * "@program: what: @name: why". Returns 0 or -errno. @program has to last as long as the device.
  */
 int device_open(const char *program, const char *name, struct accel_device **device);
 
