@@ -49,7 +49,7 @@ int device_open(const char *program, const char *name, struct accel_device **dev
 	int err;
 
 	device_reason_forget();
-	err = accel_device_new(name, keep_message, (void *)(uintptr_t)program, device);
+	err = accel_device_new(name, keep_message, (void *)program, device);
 	if (err)
 		no_device(program, name, err);
 	return err;
