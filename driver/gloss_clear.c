@@ -10,7 +10,8 @@
  *
  * They are queued when a job first uses the object, as jobs of the same file and priority: a
  * file pays for what it uses with its own turns. Every job that uses the object comes after
- * them; if one fails or is cancelled, none of these is run. As the board runs jobs in order,
+ * them; if one fails or is cancelled, none of these is run, and the next SUBMIT that names the
+ * object, whoever's, has it cleared anew. As the board runs jobs in order,
  * such a job may be in the ring already when the clearing ends. That is enough, since a stream
  * that is right and always the same does not fail but for a hang or a DMA error, and then the
  * board is reset and the ring looked through again.
@@ -164,7 +165,7 @@ static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles,
 		return PTR_ERR(job);
 
 	job->clears = board;
-	atomic_inc(&board->unclear);
+	job->clearing = board->clearing;
 	job->stream_words = GLOSS_CLEAR_START_WORDS + tiles * GLOSS_CLEAR_TILE_WORDS;
 	job->stream_list = gdev->clear.list_address;
 	job->slot[0] = (struct gloss_job_slot) {
@@ -173,11 +174,81 @@ static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles,
 		.rights = DRM_GLOSS_SLOT_WRITE,
 	};
 	ret = gloss_clear_push(job);
-	if (ret) {
-		atomic_dec(&board->unclear);
+	if (ret)
 		gloss_job_free(job);
-	}
 	return ret;
+}
+
+/* Those of a former clearing count no more, whatever becomes of them. */
+static void gloss_clear_start(struct gloss_board *board, struct gloss_file *file, u32 jobs)
+{
+	struct gloss_file *before;
+	unsigned long flags;
+
+	if (file)
+		kref_get(&file->ref);
+	spin_lock_irqsave(&board->clear_lock, flags);
+	before = board->clearer;
+	board->clearer = file;
+	board->clearing++;
+	board->unclear = jobs;
+	board->clear_failed = false;
+	spin_unlock_irqrestore(&board->clear_lock, flags);
+	if (before)
+		gloss_file_put(before);
+}
+
+static void gloss_clear_fail(struct gloss_board *board, u32 clearing)
+{
+	unsigned long flags;
+
+	spin_lock_irqsave(&board->clear_lock, flags);
+	if (clearing == board->clearing)
+		board->clear_failed = true;
+	spin_unlock_irqrestore(&board->clear_lock, flags);
+}
+
+/* A job that clears will not, or did not. */
+void gloss_clear_failed(const struct gloss_job *job)
+{
+	gloss_clear_fail(job->clears, job->clearing);
+}
+
+/* The board gets a job that clears. */
+void gloss_clear_begun(const struct gloss_job *job)
+{
+	struct gloss_board *board = job->clears;
+	unsigned long flags;
+
+	spin_lock_irqsave(&board->clear_lock, flags);
+	if (job->clearing == board->clearing)
+		board->unclear--;
+	spin_unlock_irqrestore(&board->clear_lock, flags);
+}
+
+/* Whether a job that names the object must not be run now. */
+bool gloss_clear_missing(struct gloss_board *board)
+{
+	unsigned long flags;
+	bool missing;
+
+	spin_lock_irqsave(&board->clear_lock, flags);
+	missing = board->unclear || board->clear_failed;
+	spin_unlock_irqrestore(&board->clear_lock, flags);
+	return missing;
+}
+
+/* Whether the clearing that was queued is none any more: also one whose jobs will be cancelled. */
+static bool gloss_clear_lost(struct gloss_board *board)
+{
+	unsigned long flags;
+	bool lost;
+
+	spin_lock_irqsave(&board->clear_lock, flags);
+	lost = board->clear_failed ||
+	       (board->unclear && board->clearer && READ_ONCE(board->clearer->closed));
+	spin_unlock_irqrestore(&board->clear_lock, flags);
+	return lost;
 }
 
 /* On an error some of it may be queued. */
@@ -189,6 +260,7 @@ static int gloss_clear_queue(struct gloss_board *board, struct gloss_file *file,
 	u64 offset = 0;
 	int ret = 0;
 
+	gloss_clear_start(board, file, DIV_ROUND_UP_ULL(left, gloss_clear_job_tiles(gdev)));
 	while (left && !ret) {
 		u32 tiles = min_t(u64, left, gloss_clear_job_tiles(gdev));
 
@@ -196,6 +268,8 @@ static int gloss_clear_queue(struct gloss_board *board, struct gloss_file *file,
 		offset += (u64)tiles * tile_bytes;
 		left -= tiles;
 	}
+	if (ret)
+		gloss_clear_fail(board, board->clearing);
 	return ret;
 }
 
@@ -209,13 +283,13 @@ int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 pr
 	int ret;
 
 	/* Pairs with the release below. */
-	if (smp_load_acquire(&board->cleared))
+	if (smp_load_acquire(&board->cleared) && !gloss_clear_lost(board))
 		return 0;
 
 	ret = mutex_lock_interruptible(&clear->queue_lock);
 	if (ret)
 		return ret;
-	if (!board->cleared)
+	if (!board->cleared || gloss_clear_lost(board))
 		ret = gloss_clear_queue(board, file, priority);
 	/* Whoever sees this finds the fences of the clearing in the object's reservation. */
 	smp_store_release(&board->cleared, !ret);
@@ -229,7 +303,8 @@ void gloss_clear_again(struct gloss_board *board)
 	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
 
 	mutex_lock(&clear->queue_lock);
-	if (board->cleared && gloss_clear_queue(board, NULL, 0))
-		atomic_inc(&board->unclear);
+	/* If that fails, the next job that names it tries again. */
+	if (board->cleared)
+		gloss_clear_queue(board, NULL, 0);
 	mutex_unlock(&clear->queue_lock);
 }

@@ -19,7 +19,8 @@
  *
  * Locks, outer ones first: gloss_clear.queue_lock, a reservation (dma_resv),
  * gloss_file.lock or gloss_clear.lock, gloss_ring.push_lock, gloss_ring.lock,
- * gloss_turns.lock, gloss_turns.fence_lock or gloss_ring.fence_lock.
+ * gloss_turns.lock, gloss_turns.fence_lock or gloss_ring.fence_lock. Under any of these may be
+ * gloss_board.clear_lock.
  * Those of objects: gloss_hosts.lock, gloss_host.lock, the reservation of an imported one,
  * gloss_hosts.idle_lock or gloss_share.lock; under gloss_host.lock memory is allocated, and
  * whoever has that may need gloss_hosts.idle_lock. gloss_memory.lock is taken alone.
@@ -296,11 +297,17 @@ struct gloss_board {
 	struct drm_mm_node node;
 	struct gloss_file *payer;	/* whose share it is of */
 	bool cleared;			/* or to be; set under gloss_clear.queue_lock */
+
 	/*
-	 * Jobs that clear it which the board has not got, or which failed. A job that is to run
-	 * nevertheless, and names it, ends with -EIO: it might read what is somebody else's.
+	 * Protects the following members, which are of the clearing that was queued last. While the
+	 * board has not got all of its jobs, or if one failed, a job that is to run and names the
+	 * object ends with -EIO: it might read what is somebody else's.
 	 */
-	atomic_t unclear;
+	spinlock_t clear_lock;
+	u32 clearing;			/* its number, which its jobs have too */
+	u32 unclear;			/* jobs of it that the board has not got */
+	bool clear_failed;
+	struct gloss_file *clearer;	/* whose jobs these are, a reference, or NULL */
 };
 
 extern const struct drm_gem_object_funcs gloss_host_funcs;
@@ -342,6 +349,7 @@ struct gloss_job {
 	struct gloss_device *gdev;
 	struct gloss_file *file;	/* NULL: the driver's own */
 	struct gloss_board *clears;	/* the object whose clearing this is, or NULL */
+	u32 clearing;			/* which one */
 
 	struct gloss_turn turn;
 	/* Allocated with the job, initialised when it is run. */
@@ -456,6 +464,9 @@ void gloss_memory_clear(struct gloss_device *gdev);
 int gloss_clear_init(struct gloss_device *gdev);
 int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 priority);
 void gloss_clear_again(struct gloss_board *board);
+bool gloss_clear_missing(struct gloss_board *board);
+void gloss_clear_begun(const struct gloss_job *job);
+void gloss_clear_failed(const struct gloss_job *job);
 
 static inline u32 gloss_clear_tile_bytes(const struct gloss_device *gdev)
 {

@@ -203,7 +203,7 @@ int gloss_job_refusal(const struct gloss_job *job)
 		return 0;
 	for (i = 0; i < job->objects; i++)
 		if (gloss_gem_is_board(job->object[i]) &&
-		    atomic_read(&to_gloss_board(job->object[i])->unclear))
+		    gloss_clear_missing(to_gloss_board(job->object[i])))
 			return -EIO;
 	return 0;
 }
@@ -213,19 +213,21 @@ void gloss_job_refuse(struct gloss_job *job, int error)
 {
 	job->refused = error;
 	if (job->clears)
-		atomic_inc(&job->clears->unclear);
+		gloss_clear_failed(job);
 }
 
 /* The scheduler has decided for the job; its fence takes its place among the ring's. */
 void gloss_job_begin(struct gloss_job *job)
 {
 	struct gloss_ring *ring = &job->gdev->ring;
+	int refusal = gloss_job_refusal(job);
 
 	dma_fence_init(job->fence, &gloss_fence_ops, &ring->fence_lock, ring->fence_context,
 		       ++ring->fence_sequence);
-	job->refused = gloss_job_refusal(job);
-	if (job->clears && !job->refused)
-		atomic_dec(&job->clears->unclear);
+	if (refusal)
+		gloss_job_refuse(job, refusal);
+	else if (job->clears)
+		gloss_clear_begun(job);
 }
 
 static void gloss_job_write_status(struct gloss_job *job, const struct drm_gloss_status *status)
@@ -258,7 +260,7 @@ void gloss_job_end(struct gloss_job *job, const struct drm_gloss_status *status)
 		gloss_compat_sched_job_failed(&job->base, error);
 		dma_fence_set_error(job->fence, error);
 		if (job->clears)
-			atomic_inc(&job->clears->unclear);
+			gloss_clear_failed(job);
 	}
 	gloss_job_count(job, status);
 	job->state = GLOSS_JOB_ENDED;
@@ -273,6 +275,8 @@ static void gloss_job_dropped(struct gloss_job *job)
 	const struct drm_gloss_status status = { .error = -ECANCELED };
 
 	gloss_job_write_status(job, &status);
+	if (job->clears)
+		gloss_clear_failed(job);
 }
 
 static void gloss_job_free_fence(struct gloss_job *job)

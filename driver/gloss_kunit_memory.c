@@ -43,6 +43,7 @@ static struct gloss_board *memory_board(struct kunit *test, u64 size)
 	board->base.dev = &gdev->drm;
 	board->base.size = size;
 	kref_init(&board->base.refcount);
+	spin_lock_init(&board->clear_lock);
 	size = round_up(size, gdev->memory.granule);
 	KUNIT_ASSERT_EQ(test, gloss_memory_insert(&gdev->memory, board, size), 0);
 	return board;
@@ -133,6 +134,31 @@ static void memory_clear_that_fails_is_done_again(struct kunit *test)
 	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->job[before].slot[0].base, board->node.start);
 }
 
+/* What the board gets of a clearing, and that it fails, is told by its jobs. */
+static void memory_clear_that_failed_is_done_anew(struct kunit *test)
+{
+	struct gloss_board *board = memory_board(test, 2 * GLOSS_CLEAR_JOB_BYTES);
+	struct gloss_job *job = gloss_kunit_jobs->job;
+
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
+	KUNIT_ASSERT_EQ(test, gloss_kunit_jobs->pushed, 2);
+	gloss_clear_begun(&job[0]);
+	KUNIT_EXPECT_TRUE(test, gloss_clear_missing(board));
+	gloss_clear_failed(&job[1]);
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
+	KUNIT_ASSERT_EQ(test, gloss_kunit_jobs->pushed, 4);
+	gloss_clear_begun(&job[2]);
+	/* This is not one of those that matter now. */
+	gloss_clear_begun(&job[1]);
+	KUNIT_EXPECT_TRUE(test, gloss_clear_missing(board));
+	gloss_clear_begun(&job[3]);
+	KUNIT_EXPECT_FALSE(test, gloss_clear_missing(board));
+	gloss_clear_failed(&job[0]);
+	KUNIT_EXPECT_FALSE(test, gloss_clear_missing(board));
+	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
+	KUNIT_EXPECT_EQ(test, gloss_kunit_jobs->pushed, 4);
+}
+
 /* The words of a packet as rtl/INTERFACE.md has them, in the stream of each length. */
 static void memory_clear_stream_is_a_tile_a_time(struct kunit *test)
 {
@@ -165,6 +191,7 @@ static struct kunit_case memory_cases[] = {
 	KUNIT_CASE(memory_clear_job_may_only_write),
 	KUNIT_CASE(memory_is_cleared_once),
 	KUNIT_CASE(memory_clear_that_fails_is_done_again),
+	KUNIT_CASE(memory_clear_that_failed_is_done_anew),
 	KUNIT_CASE(memory_clear_stream_is_a_tile_a_time),
 	{}
 };

@@ -93,6 +93,8 @@ static void gloss_board_free(struct drm_gem_object *object)
 		mutex_unlock(&memory->lock);
 		gloss_share_give_back(&memory->share, GLOSS_SHARE_MEMORY, board->payer, size);
 	}
+	if (board->clearer)
+		gloss_file_put(board->clearer);
 	drm_gem_object_release(object);
 	kfree(board);
 }
@@ -118,6 +120,7 @@ struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, struct glos
 	if (!board)
 		return ERR_PTR(-ENOMEM);
 
+	spin_lock_init(&board->clear_lock);
 	board->base.funcs = &gloss_board_funcs;
 	drm_gem_private_object_init(&gdev->drm, &board->base, size);
 	ret = gloss_memory_find(gdev, file, board, size);

@@ -81,10 +81,14 @@ static void gloss_ring_put(struct gloss_ring *ring, unsigned int entry,
 /* Writes the job's descriptor; the board does not look before it is told the new tail. */
 static void gloss_ring_add(struct gloss_ring *ring, struct gloss_job *job)
 {
+	int refusal;
+
 	if (!++ring->sequence)
 		ring->sequence++;
 	job->sequence = ring->sequence;
-	job->refused = job->refused ?: gloss_job_refusal(job);
+	refusal = job->refused ? 0 : gloss_job_refusal(job);
+	if (refusal)
+		gloss_job_refuse(job, refusal);
 	job->state = GLOSS_JOB_RUNNING;
 	job->begun = ktime_get();
 	gloss_ring_put(ring, ring->tail % GLOSS_RING_ENTRIES, job);
