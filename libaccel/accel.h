@@ -21,11 +21,12 @@
  * that is cancelled (deferred, as is the default) ends after the call.
  *
  * Waiting. These calls wait until jobs have ended: accel_fence_wait and
- * accel_fence_free, all that read or write a buffer or a target, and a submit without
- * a fence. accel_stream_submit and accel_draw_submit also wait while the board's queue
- * is full. These wait for an answer of the board itself, for seconds at most:
- * accel_device_new, accel_device_list, accel_device_clocks, and the call that frees a
- * device's last object. No other call waits for a board, or for a thread that does.
+ * accel_fence_free, all that read or write a buffer or a target, those called _finish, and
+ * the call that frees a device's last object. accel_stream_submit and accel_draw_submit
+ * wait while the board's queue is full. These wait for an answer of the board itself, for
+ * seconds at most: accel_device_new, accel_device_list, accel_device_clocks, and the call
+ * that frees a device's last object. No other call waits for a board, or for a thread that
+ * does.
  *
  * Processes. After fork() a device and its objects belong to the parent alone. In the
  * child each call that needs the board returns -ENODEV at once. A _free in the child
@@ -76,14 +77,23 @@ extern "C" {
 #define ACCEL_VERSION_PATCH 0
 
 /*
- * Begins the initialiser of a struct with a size. In C, and in C++ from C++20 on, members follow:
+ * The initialiser of a struct with a size. In C it has the members that are not zero:
  *
  *	struct accel_light lamp = ACCEL_LIGHT(.enabled = true, .diffuse = { 1, 1, 1, 1 });
  *
- * In older C++ it is ACCEL_LIGHT(), and members are set after that.
+ * In C++ it has none, and they are set after that: accel_light lamp = ACCEL_LIGHT();
  */
-#if defined(__cplusplus) && __cplusplus < 202002L
-#define ACCEL_SIZED(type, ...) { sizeof(struct type), __VA_ARGS__ }
+#ifdef __cplusplus
+extern "C++" {
+template <typename type> inline type accel_sized()
+{
+	type zero = type();
+
+	zero.size = sizeof(type);
+	return zero;
+}
+}
+#define ACCEL_SIZED(type, ...) accel_sized<struct type>(__VA_ARGS__)
 #else
 #define ACCEL_SIZED(type, ...) { .size = sizeof(struct type), __VA_ARGS__ }
 #endif
@@ -202,6 +212,14 @@ struct accel_device_clocks {
  */
 int accel_device_clocks(struct accel_device *device, struct accel_device_clocks *clocks,
 			size_t size);
+
+/*
+ * Waits until all jobs have ended that were submitted before, by any thread. Returns what
+ * accel_fence_wait would for the first that failed of the jobs that were submitted without a
+ * fence since the last call; of other jobs their fences tell.
+ * -EIO, -ETIME, -ENODEV, -ENOMEM.
+ */
+int accel_device_finish(struct accel_device *device);
 
 /* ---- buffer: a range of board memory ---- */
 
@@ -434,8 +452,18 @@ struct accel_mesh {
 
 /* ---- draw: a frame being collected ---- */
 
+/* Bits of accel_clear.mask. */
 #define ACCEL_CLEAR_COLOUR 1u
 #define ACCEL_CLEAR_DEPTH 2u
+
+/* What a target, all of it, is cleared to. */
+struct accel_clear {
+	size_t size;			/* of this struct, bytes: set by ACCEL_CLEAR() */
+	unsigned int mask;		/* what is cleared, of ACCEL_CLEAR_* */
+	float rgba[4];			/* limited to 0..1 */
+	float depth;			/* 0 to 1 */
+};
+#define ACCEL_CLEAR(...) ACCEL_SIZED(accel_clear, __VA_ARGS__)
 
 /* What became of the triangles of a frame. A new frame begins at zero. */
 struct accel_draw_stats {
@@ -454,23 +482,30 @@ int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
 void accel_draw_free(struct accel_draw *draw);
 
 /*
- * Clears the whole target before what is drawn from here on. @mask is of ACCEL_CLEAR_*; if it has
- * both, what the frame had drawn before is forgotten. @rgba may be NULL if colour is not cleared.
- * @depth is 0 to 1.
- * The frame's target is that of its accel_draw_mesh calls. A frame that clears and draws no mesh
- * has no target and can not be submitted; a mesh without triangles is enough.
- * -EINVAL: @mask has no bit, or others. After -ENOMEM the frame is empty.
+ * Begins a frame on @target, which may be freed before the frame is submitted. The target is
+ * cleared as @clear says, also if nothing is drawn then; NULL: what it has is kept, and drawn on.
+ * A frame that was begun before and not submitted is forgotten.
+ * -EINVAL: @target is another device's; @clear has a mask without a bit, or with others, a colour
+ * that is not finite, a depth outside 0..1 (of what the mask names), or no size. -E2BIG: @clear has
+ * members that are not known. After -ENOMEM no frame is begun, after other errors nothing changed.
  */
-int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4],
-		     float depth);
+int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
+		     const struct accel_clear *clear);
 
 /*
- * Draws @mesh on @target. All meshes between two submits have to have the same target, which
- * may be freed before the frame is submitted.
- * -EINVAL: another target than before; an index out of range; a coordinate that is not finite; no
+ * Clears the whole target in the middle of a frame, before what is drawn from here on. If the mask
+ * has all bits, what the frame had drawn before is forgotten.
+ * -EINVAL: no frame was begun; @clear as for accel_draw_begin. -E2BIG: @clear has members that are
+ * not known. After -ENOMEM the frame is forgotten, and to be begun again.
+ */
+int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *clear);
+
+/*
+ * Draws @mesh on the frame's target as @state says.
+ * -EINVAL: no frame was begun; an index out of range; a coordinate that is not finite; no
  * position array; an array or a topology that is not drawn so far; a size that is not set, or
  * @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn
- * then. After -ENOMEM the frame is empty.
+ * then. After -ENOMEM the frame is forgotten, and to be begun again.
  *
  * Pixels are covered by OpenGL's rule, with vertices rounded to 1/16 pixel. Shading changes
  * neither which pixels are covered nor their depth, so passes with different shading meet.
@@ -484,8 +519,8 @@ int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgb
  * is at least a pixel across. A triangle along whose edges w differs by less than 1 % is one
  * record in each tile; others take second-order surfaces or are split.
  */
-int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
-		    const struct accel_state *state, const struct accel_mesh *mesh);
+int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
+		    const struct accel_mesh *mesh);
 
 /*
  * Fills @stats, of which the caller has @size bytes: sizeof(*stats). The counts so far; stream
@@ -494,14 +529,22 @@ int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
 void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats, size_t size);
 
 /*
- * Sends the frame to the board and begins the next. On success *@fence is the caller's to wait
- * for and free. @fence may be NULL: then the call itself waits until the frame is drawn. A very
- * large frame is several jobs, and the fence is that of all.
- * -EIO: the board refused the stream, or there was memory for some of the jobs only. -EINVAL: the
- * frame clears and has no mesh. -ENODEV. After -EINVAL, -ENOMEM and -ENODEV nothing was sent and
- * the frame is still there; after any other result it is empty.
+ * Sends the frame to the board, and does not wait until it is drawn; the next one is to be begun.
+ * On success *@fence is the caller's to wait for and free. @fence may be NULL: then nobody waits
+ * for the frame, and accel_device_finish tells if it failed. Of a very large frame, which is
+ * several jobs, the fence is that of all.
+ * -EINVAL: no frame was begun. -EIO: the board refused the stream, or there was memory for some
+ * of the jobs only. -ENODEV, -ENOMEM. After an error the frame is still there, to be submitted
+ * again, unless some of its jobs were sent.
  */
 int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
+
+/*
+ * Submits the frame as accel_draw_submit does, and waits until it is drawn.
+ * -EINVAL: no frame was begun. -EIO, -ETIME, -ENODEV, -ENOMEM: as accel_draw_submit, which may
+ * leave the frame there, or as accel_fence_wait.
+ */
+int accel_draw_finish(struct accel_draw *draw);
 
 /* ---- stream: your own packets ---- */
 
@@ -536,13 +579,20 @@ void accel_stream_reset(struct accel_stream *stream);
  * the order of these calls. @response, of @response_words words, receives the answers. It
  * may be NULL if that is 0. It belongs to the board until the fence has been waited for to
  * the end, or freed. On success the stream is empty, and *@fence is the caller's to wait
- * for and free. @fence may be NULL: then the call itself waits for the job, and returns
- * what accel_fence_wait does; the stream is empty then whatever that is.
- * -EINVAL: @response is NULL and must not be, or the board takes no stream or response of
- * this length. -EIO, -ENODEV.
+ * for and free. @fence may be NULL if there is no response: then nobody waits for the job,
+ * and accel_device_finish tells if it failed.
+ * -EINVAL: @response or @fence is NULL and must not be, or the board takes no stream or
+ * response of this length. -EIO, -ENODEV.
  */
 int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
 			struct accel_fence **fence);
+/*
+ * Sends the stream as accel_stream_submit does, and waits for the job; then the stream is empty
+ * whatever became of it.
+ * -EINVAL: as there. -EIO, -ETIME, -ENODEV, -ENOMEM: as there, or as accel_fence_wait.
+ */
+int accel_stream_finish(struct accel_stream *stream, uint32_t *response,
+			uint32_t response_words);
 
 /* ---- fence ---- */
 

@@ -17,6 +17,15 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
  * not depend on the core. */
 #define ACCEL_TARGET_ALIGN 64
 
+/* Fences of jobs that nobody waits for, in the order in which they were submitted. */
+struct accel_detached {
+	pthread_mutex_t lock;		/* of the list */
+	struct accel_fence *first, **last;
+	pthread_mutex_t turn;		/* who has it takes fences from the list */
+	int result;			/* under turn: of the first that failed since it was told */
+	_Atomic uint64_t ended;		/* the last of their jobs that is known to have ended */
+};
+
 struct accel_device {
 	const struct accel_transport_ops *ops;
 	void *state;			/* the transport's */
@@ -29,6 +38,8 @@ struct accel_device {
 	atomic_uint references;
 	/* Without references, and their memory still to be freed by who has the lock next. */
 	struct accel_buffer *_Atomic freed;
+	struct accel_buffer *busy;	/* under lock: of those freed what a detached job uses */
+	struct accel_detached detached;
 };
 
 struct accel_buffer {
@@ -36,6 +47,7 @@ struct accel_buffer {
 	uint64_t object;		/* of the transport */
 	uint64_t size;			/* bytes */
 	atomic_uint references;
+	_Atomic uint64_t busy;		/* the last detached job that uses it; 0: none has */
 	struct accel_buffer *next;	/* of those freed */
 };
 
@@ -98,6 +110,8 @@ void accel_device_message(struct accel_device *device, const char *format, ...)
 /* buffer.c */
 struct accel_buffer *accel_buffer_ref(struct accel_buffer *buffer);
 void accel_buffer_unref(struct accel_buffer *buffer);
+/* Its memory is not free before job @sequence has ended, though that has no reference. */
+void accel_buffer_busy(struct accel_buffer *buffer, uint64_t sequence);
 /* @rows times @count words, @pitch bytes apart, packed into @words; the place was checked, and
  * @count is at most 65535. */
 int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
@@ -122,7 +136,15 @@ int accel_fence_reserve(struct accel_fence *fence);
 /* Of job @sequence, too; it takes over the references to the job's buffers. */
 void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
 		     struct accel_buffer *const *buffer, unsigned int buffers);
-/* The end of a call that returns @fence by @out; without that it waits for it, and frees it. */
-int accel_fence_give(struct accel_fence *fence, struct accel_fence **out);
+/* The end of a call that returns @fence by @out; without that nobody waits for it. */
+void accel_fence_give(struct accel_fence *fence, struct accel_fence **out);
+/* Waits for @fence and frees it. */
+int accel_fence_finish(struct accel_fence *fence);
+void accel_detached_init(struct accel_detached *detached);
+void accel_detached_fini(struct accel_detached *detached);
+/* Frees the fences whose jobs have ended. Does not wait. */
+void accel_detached_reap(struct accel_detached *detached);
+/* Waits for all; what accel_fence_wait says of the first that failed since the last call. */
+int accel_detached_finish(struct accel_detached *detached);
 
 #endif

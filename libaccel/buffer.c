@@ -64,6 +64,15 @@ void accel_buffer_unref(struct accel_buffer *buffer)
 	accel_device_unref(device);
 }
 
+void accel_buffer_busy(struct accel_buffer *buffer, uint64_t sequence)
+{
+	uint64_t before = atomic_load(&buffer->busy);
+
+	while (before < sequence &&
+	       !atomic_compare_exchange_weak(&buffer->busy, &before, sequence))
+		;
+}
+
 void accel_buffer_free(struct accel_buffer *buffer)
 {
 	if (buffer)
@@ -109,7 +118,7 @@ static int buffer_write_job(struct accel_stream *stream, struct accel_buffer *bu
 		data += (size_t)now * 4;
 		count -= now;
 	}
-	return err ? err : accel_stream_submit(stream, NULL, 0, NULL);
+	return err ? err : accel_stream_finish(stream, NULL, 0);
 }
 
 int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void *data,
@@ -166,7 +175,7 @@ int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_
 		return err;
 	err = buffer_emit_reads(stream, buffer, offset, pitch, count, rows);
 	if (!err)
-		err = accel_stream_submit(stream, words, count * rows, NULL);
+		err = accel_stream_finish(stream, words, count * rows);
 	accel_stream_free(stream);
 	return err;
 }

@@ -132,6 +132,7 @@ int accel_device_new(const char *name, accel_message_fn message, void *data,
 	if (err)
 		goto err_free_dump;
 	pthread_mutex_init(&device->lock, NULL);
+	accel_detached_init(&device->detached);
 	*out = device;
 	return 0;
 
@@ -169,17 +170,32 @@ const char *accel_device_why(const struct accel_device *device, int err)
 	return why ? why : strerror(-err);
 }
 
-static void device_free_memory_locked(struct accel_device *device)
+/* The memory of the buffers in @list that no job uses any more. */
+static void device_free_list_locked(struct accel_device *device, struct accel_buffer *list)
 {
-	struct accel_buffer *buffer = atomic_exchange(&device->freed, NULL);
+	uint64_t ended = atomic_load(&device->detached.ended);
 
-	while (buffer) {
-		struct accel_buffer *next = buffer->next;
+	while (list) {
+		struct accel_buffer *buffer = list;
 
+		list = buffer->next;
+		if (atomic_load(&buffer->busy) > ended) {
+			buffer->next = device->busy;
+			device->busy = buffer;
+			continue;
+		}
 		device->ops->memory_free(device->state, buffer->object);
 		free(buffer);
-		buffer = next;
 	}
+}
+
+static void device_free_memory_locked(struct accel_device *device)
+{
+	struct accel_buffer *busy = device->busy;
+
+	device->busy = NULL;
+	device_free_list_locked(device, busy);
+	device_free_list_locked(device, atomic_exchange(&device->freed, NULL));
 }
 
 /* What was freed while the lock was held was left to its holder, who may just have let it go. */
@@ -196,6 +212,7 @@ int accel_device_enter(struct accel_device *device, int *held)
 	if (accel_device_is_inherited(device))
 		return -ENODEV;
 	*held = accel_thread_hold_cancel();
+	accel_detached_reap(&device->detached);
 	pthread_mutex_lock(&device->lock);
 	device_free_memory_locked(device);
 	return 0;
@@ -241,9 +258,12 @@ static void device_close(struct accel_device *device)
 	if (accel_device_is_inherited(device))
 		return;
 	held = accel_thread_hold_cancel();
+	accel_detached_finish(&device->detached);
+	atomic_store(&device->detached.ended, UINT64_MAX);
 	device_free_memory_locked(device);
 	device->ops->close(device->state);
 	accel_thread_allow_cancel(held);
+	accel_detached_fini(&device->detached);
 	pthread_mutex_destroy(&device->lock);
 }
 
@@ -292,4 +312,33 @@ int accel_device_clocks(struct accel_device *device, struct accel_device_clocks 
 	if (!err)
 		accel_sized_out(clocks, size, &known, sizeof(known));
 	return err;
+}
+
+/* ---- waiting ---- */
+
+/* The board executes jobs one after the other, so the end of an empty one is that of all before. */
+static int device_finish_jobs(struct accel_device *device)
+{
+	struct accel_stream *stream;
+	int err = accel_stream_new_copy(device, &stream);
+
+	if (err)
+		return err;
+	err = accel_stream_finish(stream, NULL, 0);
+	accel_stream_free(stream);
+	return err;
+}
+
+int accel_device_finish(struct accel_device *device)
+{
+	int err, left, held;
+
+	if (accel_device_is_inherited(device))
+		return -ENODEV;
+	err = device_finish_jobs(device);
+	left = accel_detached_finish(&device->detached);
+	/* Gives back the memory that their buffers had. */
+	if (!accel_device_enter(device, &held))
+		accel_device_leave(device, held);
+	return left ? left : err;
 }

@@ -15,9 +15,11 @@ struct fence_job {
 };
 
 struct accel_fence {
-	struct accel_device *device;
+	struct accel_device *device;	/* a reference, until it is detached */
+	struct accel_fence *next;	/* of those detached */
 	struct fence_job *first, **last;	/* in the order in which the board has them */
 	struct fence_job *spare;	/* for accel_fence_add */
+	uint64_t sequence;		/* of the last of its jobs */
 	int result;			/* of the first job that failed, or else of the last */
 	struct accel_fence_status status;	/* likewise */
 };
@@ -53,6 +55,7 @@ void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
 	}
 	*fence->last = job;
 	fence->last = &job->next;
+	fence->sequence = sequence;
 }
 
 static const char *fence_fault_text(enum gloss_fault fault)
@@ -175,15 +178,126 @@ void accel_fence_free(struct accel_fence *fence)
 	free(fence);
 }
 
-int accel_fence_give(struct accel_fence *fence, struct accel_fence **out)
+int accel_fence_finish(struct accel_fence *fence)
 {
-	int err;
+	int err = accel_fence_wait(fence, -1, NULL, 0);
 
-	if (out) {
-		*out = fence;
-		return 0;
-	}
-	err = accel_fence_wait(fence, -1, NULL, 0);
 	accel_fence_free(fence);
 	return err;
+}
+
+/* ---- jobs that nobody waits for ---- */
+
+/* What a job's buffers have in board memory stays until the device knows that the job has ended. */
+static void fence_job_release(struct fence_job *job)
+{
+	while (job->buffers) {
+		struct accel_buffer *buffer = job->buffer[--job->buffers];
+
+		accel_buffer_busy(buffer, job->sequence);
+		accel_buffer_unref(buffer);
+	}
+}
+
+static void fence_detach(struct accel_fence *fence)
+{
+	struct accel_device *device = fence->device;
+
+	for (struct fence_job *job = fence->first; job; job = job->next)
+		fence_job_release(job);
+	pthread_mutex_lock(&device->detached.lock);
+	*device->detached.last = fence;
+	device->detached.last = &fence->next;
+	pthread_mutex_unlock(&device->detached.lock);
+	accel_device_unref(device);
+}
+
+void accel_fence_give(struct accel_fence *fence, struct accel_fence **out)
+{
+	if (out)
+		*out = fence;
+	else
+		fence_detach(fence);
+}
+
+void accel_detached_init(struct accel_detached *detached)
+{
+	pthread_mutexattr_t attributes;
+
+	*detached = (struct accel_detached){ .last = &detached->first };
+	pthread_mutex_init(&detached->lock, NULL);
+	/* A message function may call what has the turn already. */
+	pthread_mutexattr_init(&attributes);
+	pthread_mutexattr_settype(&attributes, PTHREAD_MUTEX_ERRORCHECK);
+	pthread_mutex_init(&detached->turn, &attributes);
+	pthread_mutexattr_destroy(&attributes);
+}
+
+void accel_detached_fini(struct accel_detached *detached)
+{
+	pthread_mutex_destroy(&detached->turn);
+	pthread_mutex_destroy(&detached->lock);
+}
+
+static struct accel_fence *detached_first(struct accel_detached *detached)
+{
+	struct accel_fence *fence;
+
+	pthread_mutex_lock(&detached->lock);
+	fence = detached->first;
+	pthread_mutex_unlock(&detached->lock);
+	return fence;
+}
+
+static void detached_drop_first(struct accel_detached *detached)
+{
+	struct accel_fence *fence;
+
+	pthread_mutex_lock(&detached->lock);
+	fence = detached->first;
+	detached->first = fence->next;
+	if (!detached->first)
+		detached->last = &detached->first;
+	pthread_mutex_unlock(&detached->lock);
+	if (fence->sequence > atomic_load(&detached->ended))
+		atomic_store(&detached->ended, fence->sequence);
+	free(fence->spare);
+	free(fence);
+}
+
+/* Called with the turn; takes those that have ended, or are to be waited for. */
+static void detached_take(struct accel_detached *detached, int64_t timeout_ns)
+{
+	struct accel_fence *fence;
+	int err;
+
+	while ((fence = detached_first(detached))) {
+		err = accel_fence_wait(fence, timeout_ns, NULL, 0);
+		if (err == -ETIMEDOUT)
+			return;
+		if (!detached->result)
+			detached->result = err;
+		detached_drop_first(detached);
+	}
+}
+
+void accel_detached_reap(struct accel_detached *detached)
+{
+	if (!detached_first(detached) || pthread_mutex_trylock(&detached->turn))
+		return;
+	detached_take(detached, 0);
+	pthread_mutex_unlock(&detached->turn);
+}
+
+int accel_detached_finish(struct accel_detached *detached)
+{
+	int result;
+
+	if (pthread_mutex_lock(&detached->turn))
+		return 0;
+	detached_take(detached, -1);
+	result = detached->result;
+	detached->result = 0;
+	pthread_mutex_unlock(&detached->turn);
+	return result;
 }

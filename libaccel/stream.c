@@ -317,17 +317,42 @@ int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t 
 	return 0;
 }
 
+/* *@fence is that of the job. */
+static int stream_send_alone(struct accel_stream *stream, uint32_t *response,
+			     uint32_t response_words, struct accel_fence **fence)
+{
+	int err;
+
+	*fence = accel_fence_new(stream->device);
+	if (!*fence)
+		return -ENOMEM;
+	err = accel_stream_send(stream, response, response_words, *fence);
+	if (err)
+		accel_fence_free(*fence);
+	return err;
+}
+
 int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
 			struct accel_fence **out)
 {
-	struct accel_fence *fence = accel_fence_new(stream->device);
+	struct accel_fence *fence;
 	int err;
 
-	if (!fence)
-		return -ENOMEM;
-	err = accel_stream_send(stream, response, response_words, fence);
+	if (response_words && !out) {
+		accel_device_message(stream->device, "a response that nobody waits for: give "
+				     "accel_stream_submit a fence, or call accel_stream_finish");
+		return -EINVAL;
+	}
+	err = stream_send_alone(stream, response, response_words, &fence);
 	if (!err)
-		return accel_fence_give(fence, out);
-	accel_fence_free(fence);
+		accel_fence_give(fence, out);
 	return err;
+}
+
+int accel_stream_finish(struct accel_stream *stream, uint32_t *response, uint32_t response_words)
+{
+	struct accel_fence *fence;
+	int err = stream_send_alone(stream, response, response_words, &fence);
+
+	return err ? err : accel_fence_finish(fence);
 }

@@ -11,9 +11,8 @@ struct accel_draw {
 	struct accel_stream *stream;
 	struct accel_bin bin;
 	struct accel_target target;	/* of this frame, its buffers a reference each */
-	bool has_target;
-	bool submitted;			/* the counts are those of the frame before */
-	struct accel_draw_stats stats;
+	bool has_target;		/* a frame was begun */
+	struct accel_draw_stats stats;	/* of this frame, or the one before */
 	struct accel_vertex *vertex;	/* scratch, kept from mesh to mesh */
 	uint32_t vertices;
 	struct accel_edge_entry *cache;
@@ -58,12 +57,11 @@ static void draw_frame_empty(struct accel_draw *draw)
 	draw->has_target = false;
 }
 
-/* Forgets it, and that it ever began. */
+/* Forgets it, and what was counted. */
 static void draw_frame_lose(struct accel_draw *draw)
 {
 	draw_frame_empty(draw);
 	draw->stats = (struct accel_draw_stats){ 0 };
-	draw->submitted = false;
 }
 
 void accel_draw_free(struct accel_draw *draw)
@@ -79,14 +77,6 @@ void accel_draw_free(struct accel_draw *draw)
 	free(draw);
 }
 
-/* Before the first call of a frame does anything. */
-static void draw_frame_begin(struct accel_draw *draw)
-{
-	if (draw->submitted)
-		draw->stats = (struct accel_draw_stats){ 0 };
-	draw->submitted = false;
-}
-
 static uint32_t draw_colour_word(const float rgba[4])
 {
 	uint32_t word = 0;
@@ -99,59 +89,98 @@ static uint32_t draw_colour_word(const float rgba[4])
 	return word;
 }
 
-static bool draw_clear_valid(unsigned int mask, const float rgba[4], float depth)
+static bool draw_clear_valid(const struct accel_clear *clear)
 {
-	bool valid = mask && !(mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH));
+	const float *rgba = clear->rgba;
+	bool valid = clear->mask && !(clear->mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH));
 
-	if (mask & ACCEL_CLEAR_COLOUR)
-		valid = valid && rgba && isfinite(rgba[0]) && isfinite(rgba[1]) &&
-			isfinite(rgba[2]) && isfinite(rgba[3]);
-	if (mask & ACCEL_CLEAR_DEPTH)
-		valid = valid && depth >= 0 && depth <= 1;
+	if (clear->mask & ACCEL_CLEAR_COLOUR)
+		valid = valid && isfinite(rgba[0]) && isfinite(rgba[1]) && isfinite(rgba[2]) &&
+			isfinite(rgba[3]);
+	if (clear->mask & ACCEL_CLEAR_DEPTH)
+		valid = valid && clear->depth >= 0 && clear->depth <= 1;
 	return valid;
 }
 
-int accel_draw_clear(struct accel_draw *draw, unsigned int mask, const float rgba[4], float depth)
+/* A clear as tiles have it; without a bit in its mask if @given is NULL. */
+static int draw_clear_take(struct accel_draw *draw, const struct accel_clear *given,
+			   struct accel_tile_clear *clear)
 {
-	struct accel_tile_clear clear = { .mask = mask };
-	int err;
+	struct accel_clear known;
+	int err = given ? accel_sized_in(&known, sizeof(known), given) : 0;
 
-	if (!draw_clear_valid(mask, rgba, depth)) {
+	*clear = (struct accel_tile_clear){ .mask = 0 };
+	if (err) {
+		accel_sized_message(draw->device, "clear", "ACCEL_CLEAR", err);
+		return err;
+	}
+	if (!given)
+		return 0;
+	if (!draw_clear_valid(&known)) {
 		accel_device_message(draw->device, "a clear of mask %u: a colour has four finite "
-				     "numbers, a depth is 0 to 1", mask);
+				     "numbers, a depth is 0 to 1", known.mask);
 		return -EINVAL;
 	}
-	if (mask & ACCEL_CLEAR_COLOUR)
-		clear.colour = draw_colour_word(rgba);
-	if (mask & ACCEL_CLEAR_DEPTH)
-		clear.depth = (uint32_t)((double)depth * ACCEL_DEPTH_MAX + 0.5);
-	draw_frame_begin(draw);
-	err = accel_bin_clear(&draw->bin, &clear);
+	clear->mask = known.mask;
+	if (known.mask & ACCEL_CLEAR_COLOUR)
+		clear->colour = draw_colour_word(known.rgba);
+	if (known.mask & ACCEL_CLEAR_DEPTH)
+		clear->depth = (uint32_t)((double)known.depth * ACCEL_DEPTH_MAX + 0.5);
+	return 0;
+}
+
+/* -EINVAL, and a message that says what is missing before @what. */
+static int draw_check_begun(const struct accel_draw *draw, const char *what)
+{
+	if (draw->has_target)
+		return 0;
+	accel_device_message(draw->device, "%s without a frame: call accel_draw_begin first", what);
+	return -EINVAL;
+}
+
+static int draw_bin_clear(struct accel_draw *draw, const struct accel_tile_clear *clear)
+{
+	int err = clear->mask ? accel_bin_clear(&draw->bin, clear) : 0;
+
 	if (err)
 		draw_frame_lose(draw);
 	return err;
 }
 
-static int draw_set_target(struct accel_draw *draw, const struct accel_target *target)
+int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
+		     const struct accel_clear *given)
 {
-	int err;
+	struct accel_tile_clear clear;
+	int err = draw_clear_take(draw, given, &clear);
 
-	if (draw->has_target && target->colour == draw->target.colour)
-		return 0;
-	if (draw->has_target || target->device != draw->device) {
-		accel_device_message(draw->device, draw->has_target ?
-				     "a frame drawn on two targets" :
-				     "a target of another device");
-		return -EINVAL;
-	}
-	err = accel_bin_begin(&draw->bin, target->width, target->height);
 	if (err)
 		return err;
-	draw->target = *target;
+	if (target->device != draw->device) {
+		accel_device_message(draw->device, "a frame on a target of another device");
+		return -EINVAL;
+	}
+	/* The reference to the target first, as the frame before may have the only one. */
 	accel_buffer_ref(target->colour);
 	accel_buffer_ref(target->depth);
+	draw_frame_lose(draw);
+	draw->target = *target;
 	draw->has_target = true;
-	return 0;
+	err = accel_bin_begin(&draw->bin, target->width, target->height);
+	if (err) {
+		draw_frame_lose(draw);
+		return err;
+	}
+	return draw_bin_clear(draw, &clear);
+}
+
+int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *given)
+{
+	struct accel_tile_clear clear;
+	int err = draw_check_begun(draw, "a clear");
+
+	if (!err)
+		err = draw_clear_take(draw, given, &clear);
+	return err ? err : draw_bin_clear(draw, &clear);
 }
 
 static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
@@ -171,8 +200,8 @@ static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
 	return 0;
 }
 
-static int draw_mesh_add(struct accel_draw *draw, struct accel_target *target,
-			 const struct accel_state *state, const struct accel_mesh *mesh)
+static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *state,
+			 const struct accel_mesh *mesh)
 {
 	struct accel_pass pass = {
 		.device = draw->device,
@@ -193,29 +222,29 @@ static int draw_mesh_add(struct accel_draw *draw, struct accel_target *target,
 	pass.vertex = draw->vertex;
 	pass.cache = draw->cache;
 	pass.number = ++draw->passes;
-	accel_geometry_init(&pass.transform, state, target->width, target->height);
+	accel_geometry_init(&pass.transform, state, draw->target.width, draw->target.height);
 	accel_lighting_init(&pass.lighting, state, pass.painted);
 	err = accel_mesh_transform(&pass);
-	if (!err)
-		err = draw_set_target(draw, target);
 	if (err)
 		return err;
-	draw_frame_begin(draw);
 	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
 	return accel_mesh_draw(&pass);
 }
 
-int accel_draw_mesh(struct accel_draw *draw, struct accel_target *target,
-		    const struct accel_state *state, const struct accel_mesh *mesh)
+int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
+		    const struct accel_mesh *mesh)
 {
 	struct accel_mesh known;
-	int err = accel_sized_in(&known, sizeof(known), mesh);
+	int err = draw_check_begun(draw, "a mesh");
 
+	if (err)
+		return err;
+	err = accel_sized_in(&known, sizeof(known), mesh);
 	if (err) {
 		accel_sized_message(draw->device, "mesh", "ACCEL_MESH", err);
 		return err;
 	}
-	err = draw_mesh_add(draw, target, state, &known);
+	err = draw_mesh_add(draw, state, &known);
 	if (err == -ENOMEM)
 		draw_frame_lose(draw);
 	return err;
@@ -226,31 +255,35 @@ void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *st
 	accel_sized_out(stats, size, &draw->stats, sizeof(draw->stats));
 }
 
+/* *@fence is that of the frame. */
+static int draw_send(struct accel_draw *draw, struct accel_fence **fence)
+{
+	bool sent;
+	int err = draw_check_begun(draw, "a submit");
+
+	if (err)
+		return err;
+	err = accel_frame_submit(&draw->bin, draw->stream, &draw->target, ACCEL_JOB_WORDS,
+				 &draw->stats, fence, &sent);
+	if (!err || sent)
+		draw_frame_empty(draw);
+	return err;
+}
+
 int accel_draw_submit(struct accel_draw *draw, struct accel_fence **out)
 {
 	struct accel_fence *fence;
-	bool sent;
-	int err;
+	int err = draw_send(draw, &fence);
 
-	if (draw->bin.clear.mask && !draw->has_target) {
-		accel_device_message(draw->device, "a frame that clears and has no target: draw a "
-				     "mesh on it, which may have no triangles");
-		return -EINVAL;
-	}
-	draw_frame_begin(draw);
-	err = accel_frame_submit(&draw->bin, draw->stream, &draw->target, ACCEL_JOB_WORDS,
-				 &draw->stats, &fence, &sent);
-	if (err && !sent)
-		return err;
-	draw_frame_empty(draw);
-	draw->submitted = true;
-	if (err)
-		return err;
-	if (out) {
-		*out = fence;
-		return 0;
-	}
-	err = accel_fence_wait(fence, -1, NULL, 0);
-	accel_fence_free(fence);
+	if (!err)
+		accel_fence_give(fence, out);
 	return err;
+}
+
+int accel_draw_finish(struct accel_draw *draw)
+{
+	struct accel_fence *fence;
+	int err = draw_send(draw, &fence);
+
+	return err ? err : accel_fence_finish(fence);
 }

@@ -51,11 +51,13 @@ static double draw(struct bench *bench, const struct accel_mesh *mesh,
 		   struct accel_draw_stats *stats)
 {
 	double start = thread_time(), time;
+	static const struct accel_clear black =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .rgba = { 0, 0, 0, 1 },
+			    .depth = 1);
 	struct accel_fence *fence;
 
-	need(accel_draw_clear(bench->draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
-			      bench->scene.background, 1), "accel_draw_clear");
-	need(accel_draw_mesh(bench->draw, bench->target, bench->state, mesh), "accel_draw_mesh");
+	need(accel_draw_begin(bench->draw, bench->target, &black), "accel_draw_begin");
+	need(accel_draw_mesh(bench->draw, bench->state, mesh), "accel_draw_mesh");
 	need(accel_draw_submit(bench->draw, &fence), "accel_draw_submit");
 	time = thread_time() - start;
 	accel_draw_stats(bench->draw, stats, sizeof(*stats));

@@ -316,7 +316,7 @@ static enum accel_topology any_topology(void)
 	return (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES + below(3));
 }
 
-static void draw_mesh(const struct board *board, struct accel_target *target)
+static void draw_mesh(const struct board *board)
 {
 	static float position[VERTICES][3], normal[VERTICES][3], colour[VERTICES][4];
 	static uint32_t index[INDICES];
@@ -341,21 +341,41 @@ static void draw_mesh(const struct board *board, struct accel_target *target)
 		index[i] = one_in(1000) ? (uint32_t)random_word() :
 					  (uint32_t)below((int)mesh.vertices + !mesh.vertices);
 	failed = false;
-	err = accel_draw_mesh(board->draw, target, state, &mesh);
+	err = accel_draw_mesh(board->draw, state, &mesh);
 	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_mesh", err);
 	meshes++;
 	taken += !err;
 }
 
-static void clear(const struct board *board)
+static struct accel_clear any_clear(void)
 {
-	float rgba[4];
+	struct accel_clear clear = ACCEL_CLEAR(.mask = (unsigned int)below(one_in(20) ? 9 : 4),
+					       .depth = float_to(1));
+
+	any_floats(clear.rgba, 4);
+	if (one_in(100))
+		clear.size = (size_t)below((int)sizeof(clear));
+	return clear;
+}
+
+/* Keeps what the target has if there is nothing else to begin with. */
+static void begin(const struct board *board, struct accel_target *target)
+{
+	const struct accel_clear clear = any_clear();
 	int err;
 
-	any_floats(rgba, 4);
 	failed = false;
-	err = accel_draw_clear(board->draw, (unsigned int)below(one_in(20) ? 9 : 4),
-			       one_in(10) ? NULL : rgba, float_to(1));
+	err = accel_draw_begin(board->draw, target, one_in(4) ? NULL : &clear);
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_begin", err);
+}
+
+static void clear(const struct board *board)
+{
+	const struct accel_clear clear = any_clear();
+	int err;
+
+	failed = false;
+	err = accel_draw_clear(board->draw, &clear);
 	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_clear", err);
 }
 
@@ -365,12 +385,14 @@ static void submit(const struct board *board)
 	struct accel_fence_status status;
 	struct accel_draw_stats stats;
 	struct accel_fence *fence;
+	bool waits = !one_in(4);
 	int err;
 
 	failed = false;
-	err = accel_draw_submit(board->draw, &fence);
+	fence = NULL;
+	err = accel_draw_submit(board->draw, waits ? &fence : NULL);
 	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_submit", err);
-	if (err)
+	if (err || !waits)
 		return;
 	err = accel_fence_wait(fence, -1, &status, sizeof(status));
 	need(!err, "a frame ended", err);
@@ -389,12 +411,15 @@ static void draw_renew(struct board *board)
 	need(!accel_draw_new(board->device, &board->draw), "no draw", 0);
 }
 
-/* A frame without a target is there until its draw goes. */
 static void frame_end(struct board *board)
 {
+	int err;
+
 	left = -1;
 	submit(board);
 	draw_renew(board);
+	err = accel_device_finish(board->device);
+	need(!err, "frames that nobody waited for", err);
 }
 
 static void frame(uint64_t seed)
@@ -413,15 +438,18 @@ static void frame(uint64_t seed)
 	if (one_in(100) && !accel_target_new(board->device, 1 + below(2048), 1 + below(64), &own))
 		target = own;
 	left = one_in(8) ? below(40) : -1;
+	begin(board, target);
 	for (int calls = 1 + below(6); calls > 0; calls--) {
 		set_state();
 		if (one_in(4))
 			clear(board);
-		/* Another target, or another board's: refused if the frame has one. */
-		draw_mesh(board, one_in(20) ? boards[below(DEVICES)].target[below(TARGETS)] :
-					      target);
+		draw_mesh(board);
 		if (one_in(6))
 			submit(board);
+		/* Another target, or another board's, which is refused. */
+		if (one_in(6))
+			begin(board, one_in(3) ? boards[below(DEVICES)].target[below(TARGETS)] :
+						 target);
 	}
 	frame_end(board);
 	accel_target_free(own);

@@ -67,7 +67,7 @@ static void draw_shape(struct stage *stage, const char *shape)
 
 	need(mesh_shape(shape, &mesh), shape);
 	lent = mesh_lend(&mesh);
-	need(accel_draw_mesh(stage->draw, stage->target, stage->state, &lent), "accel_draw_mesh");
+	need(accel_draw_mesh(stage->draw, stage->state, &lent), "accel_draw_mesh");
 	mesh_free(&mesh);
 }
 
@@ -212,12 +212,12 @@ static void strip_and_fan(struct stage *stage)
 			   .position = { .data = position }, .colour = { .data = colour });
 
 	mesh.vertices = 4;
-	need(accel_draw_mesh(stage->draw, stage->target, stage->state, &mesh), "strip");
+	need(accel_draw_mesh(stage->draw, stage->state, &mesh), "strip");
 	mesh.topology = ACCEL_TOPOLOGY_TRIANGLE_FAN;
 	mesh.vertices = 7;
 	mesh.indices = 4;
 	mesh.index = fan;
-	need(accel_draw_mesh(stage->draw, stage->target, stage->state, &mesh), "fan");
+	need(accel_draw_mesh(stage->draw, stage->state, &mesh), "fan");
 }
 
 static const struct {
@@ -245,12 +245,15 @@ enum { SCENES = sizeof(scenes) / sizeof(*scenes) };
 
 static void render(struct stage *stage, int number, struct picture *picture)
 {
+	struct accel_clear clear =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = 1);
+
 	need(accel_state_new(&stage->state), "accel_state_new");
 	set_stage(stage);
-	need(accel_draw_clear(stage->draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
-			      stage->scene.background, 1), "accel_draw_clear");
+	memcpy(clear.rgba, stage->scene.background, sizeof(clear.rgba));
+	need(accel_draw_begin(stage->draw, stage->target, &clear), "accel_draw_begin");
 	scenes[number].draw(stage);
-	need(accel_draw_submit(stage->draw, NULL), "accel_draw_submit");
+	need(accel_draw_finish(stage->draw), "accel_draw_finish");
 	need(accel_target_read(stage->target, ACCEL_PLANE_COLOUR, NULL, picture->pixel,
 			       WIDTH * sizeof(uint32_t)),
 	     "accel_target_read");

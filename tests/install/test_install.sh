@@ -32,8 +32,23 @@ static=$(pkg-config --static --libs libaccel | sed 's/-laccel\b/-l:libaccel.a/')
 {
 	$cc -std=c11 $cflags examples/triangle.c $libs -o "$work/shared"
 	$cc -std=c11 $cflags examples/triangle.c $static -o "$work/static"
-	printf '#include <accel.h>\nint main() { accel_device_free(nullptr); }\n' >"$work/cxx.cpp"
-	$cxx -std=c++17 $cflags "$work/cxx.cpp" $libs -o "$work/cxx"
+	$cc -std=c11 $cflags examples/highlight.c $libs -o "$work/highlight"
+	cat >"$work/cxx.cpp" <<-'end'
+		#include <accel.h>
+		int main()
+		{
+			accel_light lamp = ACCEL_LIGHT();
+			accel_state *state;
+
+			lamp.enabled = true;
+			int err = accel_state_new(&state) || accel_state_set_light(state, 0, &lamp);
+			accel_state_free(state);
+			return err;
+		}
+	end
+	for std in c++11 c++20; do
+		$cxx -std=$std $cflags "$work/cxx.cpp" $libs -o "$work/cxx-$std"
+	done
 }
 export LD_LIBRARY_PATH="$destdir$libdir"
 readelf -d "$work/shared" | grep -q 'NEEDED.*\[libaccel.so.0\]'
@@ -42,14 +57,18 @@ if readelf -d "$work/static" | grep NEEDED | grep -q -e libaccel -e stdc++; then
 	exit 1
 fi
 
-"$work/cxx"
+"$work/cxx-c++11"
+"$work/cxx-c++20"
 "$work/shared" >"$work/shared.ppm"
 "$work/static" >"$work/static.ppm"
 cmp "$work/shared.ppm" "$work/static.ppm"
 [ "$(head -c 15 "$work/shared.ppm")" = "P6 256 256 255" ]
 [ "$(wc -c <"$work/shared.ppm")" -eq $((15 + 256 * 256 * 3)) ]
-# A triangle of half the picture's area: more than a third of the bytes are not black.
-[ "$(tail -c +16 "$work/shared.ppm" | tr -d '\0' | wc -c)" -gt 65536 ]
+# Triangles of half the picture's area: more than a third of the bytes are not black.
+"$work/highlight" >"$work/highlight.ppm"
+for picture in shared highlight; do
+	[ "$(tail -c +16 "$work/$picture.ppm" | tr -d '\0' | wc -c)" -gt 65536 ]
+done
 
 case " $cores " in
 *" t64-k8 "*)

@@ -66,6 +66,17 @@ static inline unsigned int test_patience_s(void)
 	return 5u * (unsigned int)test_patience_ms() / 1000;
 }
 
+/* Begins a frame whose target is cleared, colour and depth. */
+static inline int draw_begin(struct accel_draw *draw, struct accel_target *target,
+			     const float rgba[4], float depth)
+{
+	struct accel_clear clear =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = depth);
+
+	memcpy(clear.rgba, rgba, sizeof(clear.rgba));
+	return accel_draw_begin(draw, target, &clear);
+}
+
 /* GLOSS_SEED, or the time; printed, so that a failure can be repeated. */
 static inline uint64_t test_seed(void)
 {

@@ -129,7 +129,7 @@ static int live_with_stream(struct accel_buffer *buffer, struct accel_stream *st
 		return err;
 	err = accel_stream_emit(stream, words, 5000);
 	if (!err)
-		err = accel_stream_submit(stream, NULL, 0, NULL);
+		err = accel_stream_finish(stream, NULL, 0);
 	accel_fence_free(fence);
 	if (err)
 		return err;
@@ -137,7 +137,7 @@ static int live_with_stream(struct accel_buffer *buffer, struct accel_stream *st
 	if (err)
 		return err;
 	accel_stream_slot(stream, buffer, ACCEL_SLOT_READ);
-	err = accel_stream_submit(stream, response, 1, NULL);
+	err = accel_stream_finish(stream, response, 1);
 	if (!err)
 		assert_int_equal(response[0], 5);
 	return err;

@@ -31,7 +31,7 @@ DRAW_UNIT_TESTS := test_setup test_setup_surface test_fetch test_geometry test_l
 	test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
 UNIT_TESTS += $(DRAW_UNIT_TESTS)
 
-$(call unit,test_draw): private WRAPS := $(call wrap,accel_stream_submit)
+$(call unit,test_draw): private WRAPS := $(call wrap,accel_engine_submit)
 $(call unit,test_draw): $(DECODE_OBJECTS)
 $(call unit,test_draw_out_of_memory): private WRAPS := $(call wrap,malloc calloc realloc free)
 
@@ -67,7 +67,7 @@ endif
 ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb test_transport_usb_open test_transport_usb_recovery \
 	test_transport_usb_wait test_transport_usb_kernel test_transport_usb_clocks \
-	test_transport_usb_out_of_memory test_process test_errors
+	test_transport_usb_out_of_memory test_process test_errors test_detached
 USB_TESTS := test_fake_usb test_usb_errors test_usb_faults
 ACCEL_UNIT_TESTS += test_usb_message test_usb_zero $(USB_UNIT_TESTS) $(USB_TESTS)
 

@@ -247,7 +247,8 @@ static void job_compare(const struct item *item)
 static int picture_mesh(const struct item *item, struct accel_draw *draw,
 			struct accel_target *target, struct accel_state *state)
 {
-	static const float black[4];
+	static const struct accel_clear black =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = 1);
 	float position[3 * TRIANGLES][3], colour[3 * TRIANGLES][4];
 	const struct accel_mesh mesh =
 		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3 * TRIANGLES,
@@ -261,8 +262,8 @@ static int picture_mesh(const struct item *item, struct accel_draw *draw,
 		for (int i = 0; i < 4; i++)
 			colour[n][i] = (float)below(&seed, 256) / 255;
 	}
-	err = accel_draw_clear(draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, black, 1);
-	return err ? err : accel_draw_mesh(draw, target, state, &mesh);
+	err = accel_draw_begin(draw, target, &black);
+	return err ? err : accel_draw_mesh(draw, state, &mesh);
 }
 
 static int picture_submit(const struct item *item, struct picture_side *side,

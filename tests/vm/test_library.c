@@ -162,7 +162,7 @@ static void everything_is_enodev(void)
 	assert_int_equal(accel_buffer_read(buffer, 0, words, sizeof(words)), -ENODEV);
 	assert_int_equal(accel_stream_new(device, &stream), 0);
 	assert_int_equal(accel_stream_emit(stream, words, 64), 0);
-	assert_int_equal(accel_stream_submit(stream, NULL, 0, NULL), -ENODEV);
+	assert_int_equal(accel_stream_finish(stream, NULL, 0), -ENODEV);
 	accel_stream_free(stream);
 }
 

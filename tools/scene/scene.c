@@ -91,6 +91,8 @@ int scene_apply(const struct scene *scene, struct accel_state *state)
 int scene_draw(const struct scene *scene, enum accel_shading shading, struct accel_draw *draw,
 	       struct accel_target *target, struct accel_draw_stats *stats)
 {
+	struct accel_clear clear =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = 1);
 	struct accel_state *state;
 	int ret;
 
@@ -100,13 +102,13 @@ int scene_draw(const struct scene *scene, enum accel_shading shading, struct acc
 	ret = scene_apply(scene, state);
 	accel_state_set_shading(state, shading);
 	accel_state_set_viewport(state, -scene->left, -scene->top, scene->width, scene->height);
+	memcpy(clear.rgba, scene->background, sizeof(clear.rgba));
 	if (!ret)
-		ret = accel_draw_clear(draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
-				       scene->background, 1);
+		ret = accel_draw_begin(draw, target, &clear);
 	if (!ret)
-		ret = accel_draw_mesh(draw, target, state, &scene->mesh);
+		ret = accel_draw_mesh(draw, state, &scene->mesh);
 	if (!ret)
-		ret = accel_draw_submit(draw, NULL);
+		ret = accel_draw_finish(draw);
 	if (!ret && stats)
 		accel_draw_stats(draw, stats, sizeof(*stats));
 	accel_state_free(state);

@@ -33,7 +33,7 @@ int scene_apply(const struct scene *scene, struct accel_state *state);
 
 /*
  * Draws the whole frame with @shading: clears, draws, submits and waits. @stats may be NULL.
- * Errors as accel_draw_mesh and accel_draw_submit.
+ * Errors as accel_draw_mesh and accel_draw_finish.
  */
 int scene_draw(const struct scene *scene, enum accel_shading shading, struct accel_draw *draw,
 	       struct accel_target *target, struct accel_draw_stats *stats);

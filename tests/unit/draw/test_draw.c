@@ -22,21 +22,23 @@ static uint32_t pixels[SIDE * SIDE], others[SIDE * SIDE];
 
 static const float black[4] = { 0, 0, 0, 0 };
 
-int __real_accel_stream_submit(struct accel_stream *stream, uint32_t *response,
-			       uint32_t response_words, struct accel_fence **fence);
-int __wrap_accel_stream_submit(struct accel_stream *stream, uint32_t *response,
-			       uint32_t response_words, struct accel_fence **fence);
+int __real_accel_engine_submit(void *state, const struct accel_transport_job *job,
+			       uint64_t *sequence);
+int __wrap_accel_engine_submit(void *state, const struct accel_transport_job *job,
+			       uint64_t *sequence);
 
 /* Every stream that these tests make, frames and transfers, is one that gloss-decode reads. */
-int __wrap_accel_stream_submit(struct accel_stream *stream, uint32_t *response,
-			       uint32_t response_words, struct accel_fence **fence)
+int __wrap_accel_engine_submit(void *state, const struct accel_transport_job *job,
+			       uint64_t *sequence)
 {
+	uint32_t *words = calloc(job->stream_words + 1, sizeof(*words));
 	struct decode_packet last;
-	size_t count;
-	const uint32_t *words = accel_stream_words(stream, &count);
 
-	assert_int_equal(decode_stream(words, (uint32_t)count, 0, &last), GLOSS_FAULT_NONE);
-	return __real_accel_stream_submit(stream, response, response_words, fence);
+	assert_non_null(words);
+	accel_transport_copy(job, words);
+	assert_int_equal(decode_stream(words, job->stream_words, 0, &last), GLOSS_FAULT_NONE);
+	free(words);
+	return __real_accel_engine_submit(state, job, sequence);
 }
 
 /* Two triangles over the whole view, counter-clockwise. */
@@ -51,6 +53,7 @@ static int setup(void **state)
 	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
 	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
 	assert_int_equal(accel_state_new(&f.state), 0);
+	assert_int_equal(accel_draw_begin(f.draw, f.target, NULL), 0);
 	*state = &f;
 	return 0;
 }
@@ -75,15 +78,15 @@ static struct accel_mesh square_mesh(void)
 
 static int mesh_draw(struct fixture *f, const struct accel_mesh *mesh)
 {
-	return accel_draw_mesh(f->draw, f->target, f->state, mesh);
+	return accel_draw_mesh(f->draw, f->state, mesh);
 }
 
 /* Clears, draws and reads the colours. */
 static void picture(struct fixture *f, const struct accel_mesh *mesh, uint32_t *colour)
 {
-	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
 	assert_int_equal(mesh_draw(f, mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, colour, SIDE * 4),
 			 0);
 }
@@ -108,19 +111,48 @@ static struct accel_draw_stats stats_of(const struct fixture *f)
 
 static void a_clear_with_a_wrong_argument_is_refused(void **state)
 {
+	static const struct accel_clear wrong[] = {
+		{ .mask = ACCEL_CLEAR_DEPTH },
+		ACCEL_CLEAR(.mask = 0),
+		ACCEL_CLEAR(.mask = 4),
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR, .rgba = { 0, NAN, 0, 0 }),
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .depth = -0.1f),
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .depth = NAN),
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .depth = 1.1f),
+	};
+	static const struct accel_clear depth =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .rgba = { NAN }, .depth = 1);
+	static const struct accel_clear colour =
+		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR, .depth = NAN);
 	struct fixture *f = *state;
-	const float odd[4] = { 0, NAN, 0, 0 };
 
-	assert_int_equal(accel_draw_clear(f->draw, 0, black, 1), -EINVAL);
-	assert_int_equal(accel_draw_clear(f->draw, 4, black, 1), -EINVAL);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR, NULL, 1), -EINVAL);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR, odd, 1), -EINVAL);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, -0.1f), -EINVAL);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, 1.1f), -EINVAL);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, NAN), -EINVAL);
+	for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++) {
+		assert_int_equal(accel_draw_clear(f->draw, &wrong[i]), -EINVAL);
+		assert_message(&f->messages, i ? "a clear of mask" : "begin it with ACCEL_CLEAR()");
+		assert_int_equal(accel_draw_begin(f->draw, f->target, &wrong[i]), -EINVAL);
+	}
 	assert_message(&f->messages, "a clear of mask 2");
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_DEPTH, NULL, 1), 0);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR, black, NAN), 0);
+	assert_int_equal(accel_draw_clear(f->draw, &depth), 0);
+	assert_int_equal(accel_draw_clear(f->draw, &colour), 0);
+}
+
+static void nothing_is_drawn_before_a_frame_was_begun(void **state)
+{
+	static const struct accel_clear depth = ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH);
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+	struct accel_fence *fence = NULL;
+
+	/* One was begun by setup. */
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
+	assert_message(&f->messages, "a mesh without a frame: call accel_draw_begin first");
+	assert_int_equal(accel_draw_clear(f->draw, &depth), -EINVAL);
+	assert_message(&f->messages, "a clear without a frame");
+	assert_int_equal(accel_draw_submit(f->draw, &fence), -EINVAL);
+	assert_message(&f->messages, "a submit without a frame");
+	assert_int_equal(accel_draw_finish(f->draw), -EINVAL);
+	assert_null(fence);
 }
 
 static void a_mesh_that_is_none_is_refused(void **state)
@@ -188,20 +220,26 @@ static void a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn(void **
 	assert_int_equal(stats_of(f).triangles_in, 2);
 }
 
-static void a_frame_has_one_target(void **state)
+static void a_frame_that_is_begun_forgets_the_one_before(void **state)
 {
 	struct fixture *f = *state;
 	struct accel_mesh mesh = square_mesh();
 	struct accel_target *other;
 
-	assert_int_equal(accel_target_new(f->device, SIDE, SIDE, &other), 0);
+	assert_int_equal(accel_target_new(f->device, 20, SIDE, &other), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), -EINVAL);
-	assert_message(&f->messages, "two targets");
+	assert_int_equal(accel_draw_begin(f->draw, other, NULL), 0);
+	assert_int_equal(stats_of(f).triangles_in, 0);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
+	/* The only reference to the target is that of the frame before. */
 	accel_target_free(other);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
+	assert_all(0);
 }
 
 static void a_target_of_another_device_is_refused(void **state)
@@ -213,8 +251,10 @@ static void a_target_of_another_device_is_refused(void **state)
 	struct accel_target *other;
 
 	assert_int_equal(accel_target_new(device, SIDE, SIDE, &other), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), -EINVAL);
+	assert_int_equal(accel_draw_begin(f->draw, other, NULL), -EINVAL);
 	assert_message(&f->messages, "another device");
+	/* The frame that was begun before is still there. */
+	assert_int_equal(mesh_draw(f, &mesh), 0);
 	accel_target_free(other);
 	accel_device_free(device);
 }
@@ -434,9 +474,9 @@ static void a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target(voi
 	for (int n = 0; n < 9 * 9 * 9; n++) {
 		accel_state_set_scissor(f->state, 0, 0, -1, -1);
 		accel_state_set_viewport(f->state, end[n % 9], end[n / 9 % 9], SIDE, end[n / 81]);
-		assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+		assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
 		assert_int_equal(mesh_draw(f, &mesh), 0);
-		assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+		assert_int_equal(accel_draw_finish(f->draw), 0);
 		if (end[n / 81] <= 0)
 			assert_int_equal(stats_of(f).culled, 2);
 	}
@@ -455,22 +495,23 @@ static void depth_functions_and_masks_are_kept(void **state)
 	front.position.data = near;
 	front.colour.data = red;
 	accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);
-	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
 	assert_int_equal(mesh_draw(f, &front), 0);
 	picture(f, &mesh, others);
 	/* picture cleared both; behind red, white is not seen. */
-	assert_int_equal(accel_draw_clear(f->draw, 3, black, 1), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
 	assert_int_equal(mesh_draw(f, &front), 0);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 	assert_all(RED);
 	/* In the next frame what was drawn is still there. */
 	accel_state_set_depth(f->state, ACCEL_COMPARE_GREATER, false);
 	accel_state_set_colour_mask(f->state, false, false, true, false);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 	assert_all(RED | 0xff0000);
@@ -486,9 +527,9 @@ static void clear_values_are_rounded(void **state)
 	struct accel_mesh nothing = square_mesh();
 
 	nothing.indices = 0;
-	assert_int_equal(accel_draw_clear(f->draw, 3, rgba, 0.5f), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, rgba, 0.5f), 0);
 	assert_int_equal(mesh_draw(f, &nothing), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 	assert_all(0x01ff0080);
@@ -505,7 +546,8 @@ static void a_frame_without_anything_is_sent_and_does_nothing(void **state)
 	struct accel_fence *fence = NULL;
 	struct accel_fence_status status;
 
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
 	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
 	assert_non_null(fence);
 	assert_int_equal(accel_fence_wait(fence, -1, &status, sizeof(status)), 0);
@@ -514,21 +556,13 @@ static void a_frame_without_anything_is_sent_and_does_nothing(void **state)
 	assert_int_equal(stats_of(f).tiles, 0);
 }
 
-static void a_clear_without_a_target_is_not_lost(void **state)
+static void a_clear_happens_without_a_mesh(void **state)
 {
 	const float red[4] = { 1, 0, 0, 1 };
-	struct accel_mesh nothing = square_mesh();
 	struct fixture *f = *state;
-	struct accel_fence *fence = NULL;
 
-	nothing.vertices = nothing.indices = 0;
-	assert_int_equal(accel_draw_clear(f->draw, 3, red, 1), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), -EINVAL);
-	assert_message(&f->messages, "no target");
-	assert_int_equal(accel_draw_submit(f->draw, &fence), -EINVAL);
-	assert_null(fence);
-	assert_int_equal(mesh_draw(f, &nothing), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, red, 1), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 	assert_all(RED);
@@ -545,6 +579,8 @@ static void counts_are_those_of_the_frame(void **state)
 	assert_true(stats_of(f).records >= 4);
 	assert_true(stats_of(f).stream_words > stats_of(f).records);
 	/* Until the next frame begins. */
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
+	assert_int_equal(stats_of(f).triangles_in, 0);
 	assert_int_equal(mesh_draw(f, &mesh), 0);
 	assert_int_equal(stats_of(f).triangles_in, 2);
 	assert_int_equal(stats_of(f).tiles, 0);
@@ -575,14 +611,16 @@ static void a_target_may_go_before_its_frame_is_sent(void **state)
 	struct accel_fence *fence;
 
 	assert_int_equal(accel_target_new(f->device, 300, 20, &other), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
+	assert_int_equal(accel_draw_begin(f->draw, other, NULL), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh), 0);
 	accel_target_free(other);
 	assert_int_equal(accel_draw_submit(f->draw, &fence), 0);
 	assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 	accel_fence_free(fence);
 	/* And a draw may go with a frame in it. */
 	assert_int_equal(accel_target_new(f->device, 300, 20, &other), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, other, f->state, &mesh), 0);
+	assert_int_equal(accel_draw_begin(f->draw, other, NULL), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh), 0);
 	accel_target_free(other);
 }
 
@@ -641,6 +679,7 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 {
 	struct fixture *f = *state;
 	uint64_t seed = test_seed();
+	struct accel_clear clear = ACCEL_CLEAR(.depth = 0.5f);
 	int taken = 0, in_frame = 0;
 	uint64_t drawn = 0;
 
@@ -661,14 +700,16 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 			colour[i / 4][i % 4] = random_float(&seed);
 		random_state(&seed, f->state);
 		in_frame += !mesh_draw(f, &mesh);
+		clear.mask = 1 + test_below(&seed, 3);
 		if (in_frame && test_below(&seed, 3))
-			accel_draw_clear(f->draw, 1 + test_below(&seed, 3), black, 0.5f);
+			accel_draw_clear(f->draw, &clear);
 		if (n % 4 != 3)
 			continue;
-		assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+		assert_int_equal(accel_draw_finish(f->draw), 0);
 		drawn += stats_of(f).records;
 		taken += in_frame;
 		in_frame = 0;
+		assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
 	}
 	print_message("%d of 3000 meshes were taken\n", taken);
 	assert_true(taken > 1000 && drawn > 1000);
@@ -682,7 +723,8 @@ int main(void)
 		TEST(a_mesh_that_is_none_is_refused),
 		TEST(a_matrix_that_is_not_finite_draws_no_mesh),
 		TEST(a_mesh_that_is_not_finite_is_refused_and_nothing_of_it_drawn),
-		TEST(a_frame_has_one_target),
+		TEST(nothing_is_drawn_before_a_frame_was_begun),
+		TEST(a_frame_that_is_begun_forgets_the_one_before),
 		TEST(a_target_of_another_device_is_refused),
 		TEST(without_colours_a_mesh_is_white),
 		TEST(the_topologies_draw_the_same),
@@ -697,7 +739,7 @@ int main(void)
 		TEST(depth_functions_and_masks_are_kept),
 		TEST(clear_values_are_rounded),
 		TEST(a_frame_without_anything_is_sent_and_does_nothing),
-		TEST(a_clear_without_a_target_is_not_lost),
+		TEST(a_clear_happens_without_a_mesh),
 		TEST(counts_are_those_of_the_frame),
 		TEST(a_triangle_that_clipping_leaves_nothing_of_counts_as_culled_once),
 		TEST(a_target_may_go_before_its_frame_is_sent),

@@ -45,11 +45,10 @@ static int teardown(void **state)
 static void draw(struct fixture *f, uint32_t *pixel)
 {
 	const float black[4] = { 0 };
-	const unsigned int both = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH;
 
-	assert_int_equal(accel_draw_clear(f->draw, both, black, 1), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &f->shape.mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &f->shape.mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixel, SIDE * 4),
 			 0);
 }
@@ -154,10 +153,11 @@ static void colours_that_are_no_numbers_are_refused(void **state)
 
 	accel_state_set_colour_material(f->state, true);
 	f->colour[3][1] = NAN;
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &f->shape.mesh), -EINVAL);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &f->shape.mesh), -EINVAL);
 	/* And limited to 0..1 if they are. */
 	f->colour[3][1] = 1e30f;
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &f->shape.mesh), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &f->shape.mesh), 0);
 }
 
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)

@@ -72,16 +72,24 @@ static bool submitting;			/* the frame is complete */
 static int frame(const struct fixture *f, struct accel_draw *draw)
 {
 	const float grey[4] = { 0.2f, 0.2f, 0.2f, 1 };
-	int err = accel_draw_clear(draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, grey, 1);
+	const struct accel_clear depth = ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .depth = 1);
+	struct accel_fence *fence;
+	int err = draw_begin(draw, f->target, grey, 1);
 
 	if (!err)
-		err = accel_draw_mesh(draw, f->target, f->state, &shape.mesh);
+		err = accel_draw_mesh(draw, f->state, &shape.mesh);
 	if (!err)
-		err = accel_draw_clear(draw, ACCEL_CLEAR_DEPTH, NULL, 1);
+		err = accel_draw_clear(draw, &depth);
 	if (!err)
-		err = accel_draw_mesh(draw, f->target, f->state, &shape.mesh);
+		err = accel_draw_mesh(draw, f->state, &shape.mesh);
 	submitting = !err;
-	return err ? err : accel_draw_submit(draw, NULL);
+	if (!err)
+		err = accel_draw_submit(draw, &fence);
+	if (err)
+		return err;
+	err = accel_fence_wait(fence, -1, NULL, 0);
+	accel_fence_free(fence);
+	return err;
 }
 
 static void assert_picture(const struct fixture *f)
@@ -95,7 +103,7 @@ static void check_after_error(const struct fixture *f, struct accel_draw *draw)
 {
 	struct accel_draw_stats stats;
 
-	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(draw), submitting ? 0 : -EINVAL);
 	accel_draw_stats(draw, &stats, sizeof(stats));
 	assert_int_equal(stats.records > 0, submitting);
 	if (submitting)
@@ -127,7 +135,7 @@ static void check(const struct fixture *f, long fail)
 }
 
 /* Before anything of the mesh is looked at, and when the target's tiles find no room. */
-static void a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame(void **unused)
+static void a_frame_that_runs_out_of_memory_early_is_forgotten(void **unused)
 {
 	const float grey[4] = { 0.2f, 0.2f, 0.2f, 1 };
 	struct accel_mesh endless;
@@ -144,29 +152,23 @@ static void a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame(void **un
 	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
 	f.state = state_shiny(60);
 	assert_int_equal(accel_draw_new(f.device, &draw), 0);
-	assert_int_equal(accel_draw_clear(draw, ACCEL_CLEAR_COLOUR, grey, 1), 0);
-	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &shape.mesh), 0);
+	assert_int_equal(draw_begin(draw, f.target, grey, 1), 0);
+	assert_int_equal(accel_draw_mesh(draw, f.state, &shape.mesh), 0);
 	calls = 0;
 	failing = 1;
-	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &endless), -ENOMEM);
+	assert_int_equal(accel_draw_mesh(draw, f.state, &endless), -ENOMEM);
 	failing = 0;
 	accel_draw_stats(draw, &stats, sizeof(stats));
 	assert_int_equal(stats.triangles_in, 0);
-	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	accel_draw_stats(draw, &stats, sizeof(stats));
-	assert_int_equal(stats.tiles, 0);
-	assert_int_equal(stats.records, 0);
+	assert_int_equal(accel_draw_finish(draw), -EINVAL);
+	assert_message(&f.messages, "without a frame");
 	accel_draw_free(draw);
-	/* The clear of a frame whose first mesh fails at the tiles is forgotten too. */
 	assert_int_equal(accel_draw_new(f.device, &draw), 0);
-	assert_int_equal(accel_draw_clear(draw, ACCEL_CLEAR_COLOUR, grey, 1), 0);
 	calls = 0;
-	failing = 2;
-	assert_int_equal(accel_draw_mesh(draw, f.target, f.state, &shape.mesh), -ENOMEM);
+	failing = 1;
+	assert_int_equal(draw_begin(draw, f.target, grey, 1), -ENOMEM);
 	failing = 0;
-	assert_int_equal(accel_draw_submit(draw, NULL), 0);
-	accel_draw_stats(draw, &stats, sizeof(stats));
-	assert_int_equal(stats.tiles, 0);
+	assert_int_equal(accel_draw_finish(draw), -EINVAL);
 	accel_draw_free(draw);
 	accel_state_free(f.state);
 	accel_target_free(f.target);
@@ -204,7 +206,7 @@ static void a_failed_allocation_is_reported_and_leaves_a_draw_that_works(void **
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(a_mesh_that_runs_out_of_memory_early_leaves_an_empty_frame),
+		cmocka_unit_test(a_frame_that_runs_out_of_memory_early_is_forgotten),
 		cmocka_unit_test(a_failed_allocation_is_reported_and_leaves_a_draw_that_works),
 	};
 

@@ -67,9 +67,9 @@ static void draw_coloured(struct fixture *f, const struct coloured *t,
 		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
 			   .position = { .data = t->position }, .colour = { .data = t->colour });
 
-	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, (const float[4]){ 0 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 	accel_draw_stats(f->draw, stats, sizeof(*stats));
@@ -257,9 +257,9 @@ static void light_is_that_of_the_vertices_though_they_are_clipped(void **state)
 		for (int j = 0; j < 4; j++)
 			t.colour[i][j] = fminf(sample.colour[j], 1);
 	}
-	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, (const float[4]){ 0 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 	accel_state_free(shiny);

@@ -26,9 +26,9 @@ static int drawn(const struct accel_mesh *mesh)
 {
 	int count = 0;
 
-	assert_int_equal(accel_draw_clear(draw, 3, (const float[4]){ 0 }, 1), 0);
-	assert_int_equal(accel_draw_mesh(draw, target, state, mesh), 0);
-	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	assert_int_equal(draw_begin(draw, target, (const float[4]){ 0 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(draw, state, mesh), 0);
+	assert_int_equal(accel_draw_finish(draw), 0);
 	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4), 0);
 	for (int i = 0; i < SIDE * SIDE; i++)
 		count += pixels[i] != 0;
@@ -94,7 +94,8 @@ static void a_restart_index_is_an_index_out_of_range(void)
 
 	mesh.index = index;
 	mesh.indices = 5;
-	assert_int_equal(accel_draw_mesh(draw, target, state, &mesh), -EINVAL);
+	assert_int_equal(accel_draw_begin(draw, target, NULL), 0);
+	assert_int_equal(accel_draw_mesh(draw, state, &mesh), -EINVAL);
 	assert_message(&messages, "index 3 is of vertex 4294967295");
 }
 

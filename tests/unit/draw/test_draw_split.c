@@ -62,13 +62,12 @@ static struct accel_draw_stats draw_counted(struct fixture *f, enum accel_shadin
 
 	memset(count, 0, SIDE * SIDE);
 	accel_state_set_shading(f->state, shading);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, black, 1),
-			 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &shape.mesh), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
 	records_of_bin(&f->draw->bin, coverage_record, &coverage);
 	assert_int_equal(coverage.empty, 0);
 	assert_true(coverage.drawn > SIDE * SIDE / 8);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	accel_draw_stats(f->draw, &stats, sizeof(stats));
 	return stats;
 }
@@ -158,16 +157,15 @@ static void depth_is_equal_in_a_second_pass_with_other_shading(void **state)
 	const float white[4] = { 1, 1, 1, 1 };
 
 	shape_torus(&shape, 8);
-	assert_int_equal(accel_draw_clear(f->draw, ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, white, 1),
-			 0);
+	assert_int_equal(draw_begin(f->draw, f->target, white, 1), 0);
 	accel_state_set_colour_mask(f->state, false, false, false, false);
 	accel_state_set_shading(f->state, ACCEL_SHADING_FLAT);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &shape.mesh), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
 	accel_state_set_colour_mask(f->state, true, true, true, true);
 	accel_state_set_shading(f->state, ACCEL_SHADING_ADAPTIVE);
 	accel_state_set_depth(f->state, ACCEL_COMPARE_EQUAL, false);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &shape.mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(
 		accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[0], SIDE * 4), 0);
 	accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);

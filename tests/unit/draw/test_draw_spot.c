@@ -106,9 +106,9 @@ static void light_off(struct accel_state *state, int i)
 
 static void read_picture(struct fixture *f, uint32_t *pixels)
 {
-	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 1, 1, 1, 0 }, 1), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &shape.mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, (const float[4]){ 1, 1, 1, 0 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 }

@@ -49,9 +49,9 @@ static struct accel_mesh strip(struct accel_array positions, struct accel_array 
 
 static void picture(struct fixture *f, const struct accel_mesh *mesh, uint32_t *pixels)
 {
-	assert_int_equal(accel_draw_clear(f->draw, 3, (const float[4]){ 0 }, 1), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, mesh), 0);
-	assert_int_equal(accel_draw_submit(f->draw, NULL), 0);
+	assert_int_equal(draw_begin(f->draw, f->target, (const float[4]){ 0 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
 			 0);
 }
@@ -158,7 +158,8 @@ static void clipped_vertices_are_fetched_with_their_stride(void **state)
 static void refuse(struct fixture *f, struct accel_mesh mesh, const char *why)
 {
 	f->messages.last[0] = '\0';
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh), -EINVAL);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh), -EINVAL);
 	assert_message(&f->messages, why);
 }
 
@@ -212,9 +213,9 @@ static void a_mesh_has_its_size(void **state)
 	refuse(f, mesh.now, "reserved");
 	mesh.now.reserved = 0;
 	mesh.now.size = sizeof(mesh);
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh.now), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh.now), 0);
 	mesh.later = 1;
-	assert_int_equal(accel_draw_mesh(f->draw, f->target, f->state, &mesh.now), -E2BIG);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh.now), -E2BIG);
 	assert_message(&f->messages, "the program needs a newer library");
 }
 

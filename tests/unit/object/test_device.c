@@ -193,7 +193,7 @@ static void a_message_function_may_call_the_library(void **state)
 	assert_int_equal(accel_buffer_new(device, 1u << 31, &buffer), -ENOMEM);
 	assert_int_equal(accel_stream_new(device, &stream), 0);
 	assert_int_equal(accel_stream_emit(stream, &unknown, 1), 0);
-	assert_int_equal(accel_stream_submit(stream, NULL, 0, NULL), -EIO);
+	assert_int_equal(accel_stream_finish(stream, NULL, 0), -EIO);
 	accel_stream_free(stream);
 	accel_device_free(device);
 }

@@ -101,7 +101,7 @@ static void submit(struct fixture *fixture, uint32_t value, uint32_t *response)
 	count = packet_read(words, 0, 4 * (WORDS - 1), 1);
 	count += packet_write(words + count, 1, 8, value);
 	assert_int_equal(accel_stream_emit(fixture->stream, words, count), 0);
-	assert_int_equal(accel_stream_submit(fixture->stream, response, 1, NULL), 0);
+	assert_int_equal(accel_stream_finish(fixture->stream, response, 1), 0);
 }
 
 /* The last job's file with this ending; NULL if there is none. The caller's to close. */
@@ -266,7 +266,7 @@ static void a_child_of_fork_writes_nothing(void **state)
 	assert_int_equal(accel_stream_emit(fixture->stream, &word, 1), 0);
 	child = fork();
 	if (!child)
-		_exit(accel_stream_submit(fixture->stream, NULL, 0, NULL) != -ENODEV);
+		_exit(accel_stream_finish(fixture->stream, NULL, 0) != -ENODEV);
 	assert_int_equal(waitpid(child, &status, 0), child);
 	assert_int_equal(status, 0);
 	assert_int_equal(files(fixture->folder, NULL), 0);
@@ -288,8 +288,9 @@ static void a_frame_is_written_as_the_board_has_it(void **state)
 	assert_int_equal(accel_target_new(fixture->device, 128, 128, &target), 0);
 	assert_int_equal(accel_state_new(&drawn), 0);
 	assert_int_equal(accel_draw_new(fixture->device, &draw), 0);
-	assert_int_equal(accel_draw_mesh(draw, target, drawn, &mesh), 0);
-	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	assert_int_equal(accel_draw_begin(draw, target, NULL), 0);
+	assert_int_equal(accel_draw_mesh(draw, drawn, &mesh), 0);
+	assert_int_equal(accel_draw_finish(draw), 0);
 	accel_draw_stats(draw, &stats, sizeof(stats));
 	words = calloc(stats.stream_words + 1, 4);
 	assert_int_equal(read_file(fixture, "stream", words, 4 * (stats.stream_words + 1)),

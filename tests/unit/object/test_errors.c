@@ -118,7 +118,7 @@ static int clocks(void)
 
 static int clocks_of_a_model(void)
 {
-	assert_int_equal(accel_stream_submit(stream, NULL, 0, NULL), 0);
+	assert_int_equal(accel_stream_finish(stream, NULL, 0), 0);
 	return clocks();
 }
 
@@ -307,17 +307,50 @@ static int light_of_a_later_version(void)
 
 static int draw_mesh(void)
 {
-	return accel_draw_mesh(draw, target, state_of_all, &mesh);
+	assert_int_equal(accel_draw_begin(draw, target, NULL), 0);
+	return accel_draw_mesh(draw, state_of_all, &mesh);
 }
 
-static int clear_what_is_not_there(void)
+static int begin_and(const struct accel_clear *clear)
 {
-	return accel_draw_clear(draw, 4, NULL, 1);
+	return accel_draw_begin(draw, target, clear);
+}
+
+static int begin_with_a_clear_of_what_is_not_there(void)
+{
+	static const struct accel_clear odd = ACCEL_CLEAR(.mask = 4);
+
+	return begin_and(&odd);
+}
+
+/* A clear of a later version. */
+static const struct {
+	struct accel_clear now;
+	uint64_t later;
+} later_clear = { { .size = sizeof(later_clear), .mask = ACCEL_CLEAR_DEPTH }, 1 };
+
+static int begin_with_a_clear_of_a_later_version(void)
+{
+	return begin_and(&later_clear.now);
+}
+
+static int clear_before_a_frame(void)
+{
+	static const struct accel_clear depth = ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH);
+
+	return accel_draw_clear(draw, &depth);
+}
+
+static int clear_of_a_later_version(void)
+{
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_clear(draw, &later_clear.now);
 }
 
 static int mesh_without_positions(void)
 {
-	return accel_draw_mesh(draw, target, state_of_all,
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_mesh(draw, state_of_all,
 			       &(struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
 							      .vertices = 3));
 }
@@ -330,7 +363,8 @@ static int mesh_of_a_later_version(void)
 	} later = { mesh, 1 };
 
 	later.now.size = sizeof(later);
-	return accel_draw_mesh(draw, target, state_of_all, &later.now);
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_mesh(draw, state_of_all, &later.now);
 }
 
 static int submit_draw(void)
@@ -338,31 +372,39 @@ static int submit_draw(void)
 	return accel_draw_submit(draw, NULL);
 }
 
-static int frame_that_clears_nothing(void)
+static int finish_draw(void)
 {
-	assert_int_equal(accel_draw_clear(draw, ACCEL_CLEAR_DEPTH, NULL, 1), 0);
-	return submit_draw();
+	return accel_draw_finish(draw);
 }
 
-static int frame_on_a_board_that_fails(void)
+static int finish_a_frame_on_a_board_that_fails(void)
 {
 	assert_int_equal(draw_mesh(), 0);
 	fail_board();
-	return submit_draw();
+	return finish_draw();
 }
 
-static int frame_on_no_board(void)
+static int submit_a_frame_to_no_board(void)
 {
 	assert_int_equal(draw_mesh(), 0);
 	unplug();
+	/* The board is missed when it is to do something. */
+	assert_int_equal(accel_stream_finish(stream, NULL, 0), -ENODEV);
 	return submit_draw();
 }
 
-static int frame_without_memory(void)
+static int finish_a_frame_on_no_board(void)
+{
+	assert_int_equal(draw_mesh(), 0);
+	unplug();
+	return finish_draw();
+}
+
+static int finish_a_frame_without_memory(void)
 {
 	assert_int_equal(draw_mesh(), 0);
 	refuse_memory();
-	return submit_draw();
+	return finish_draw();
 }
 
 /* ---- streams and fences ---- */
@@ -395,23 +437,71 @@ static int submit_stream(void)
 	return accel_stream_submit(stream, NULL, 0, NULL);
 }
 
-static int response_to_nowhere(void)
+static int finish_stream(void)
 {
-	return accel_stream_submit(stream, NULL, 1, NULL);
+	return accel_stream_finish(stream, NULL, 0);
 }
 
-static int job_with_a_fault(void)
+static int response_without_a_fence(void)
+{
+	return accel_stream_submit(stream, pixels, 1, NULL);
+}
+
+static int response_to_nowhere(void)
+{
+	return accel_stream_finish(stream, NULL, 1);
+}
+
+static void emit_a_fault(void)
 {
 	const uint32_t unknown = 0xff000000;
 
 	assert_int_equal(accel_stream_emit(stream, &unknown, 1), 0);
+}
+
+static int finish_a_job_with_a_fault(void)
+{
+	emit_a_fault();
+	return finish_stream();
+}
+
+/* The board is missed when it is to do something. */
+static int submit_to_no_board(void)
+{
+	unplug();
+	assert_int_equal(finish_stream(), -ENODEV);
 	return submit_stream();
 }
 
-static int job_on_no_board(void)
+static int finish_a_job_on_no_board(void)
 {
 	unplug();
-	return submit_stream();
+	return finish_stream();
+}
+
+static int finish_a_job_without_memory(void)
+{
+	refuse_memory();
+	return finish_stream();
+}
+
+static int finish_after_a_fault(void)
+{
+	emit_a_fault();
+	assert_int_equal(submit_stream(), 0);
+	return accel_device_finish(device);
+}
+
+static int finish_without_a_board(void)
+{
+	unplug();
+	return accel_device_finish(device);
+}
+
+static int finish_without_memory(void)
+{
+	refuse_memory();
+	return accel_device_finish(device);
 }
 
 /* What the fence of a job answers, which is then freed. */
@@ -476,6 +566,9 @@ static const struct reached {
 	{ "accel_device_clocks", -ENOTSUP, clocks_of_a_model },
 	{ "accel_device_clocks", -EIO, clocks_of_a_board_that_does_not_answer },
 	{ "accel_device_clocks", -ENODEV, clocks_of_no_board },
+	{ "accel_device_finish", -EIO, finish_after_a_fault },
+	{ "accel_device_finish", -ENODEV, finish_without_a_board },
+	{ "accel_device_finish", -ENOMEM, finish_without_memory },
 	{ "accel_buffer_new", -EINVAL, buffer_of_three_bytes },
 	{ "accel_buffer_new", -ENOMEM, buffer_in_full_memory },
 	{ "accel_buffer_write", -EINVAL, write_behind_the_end },
@@ -497,19 +590,27 @@ static const struct reached {
 	{ "accel_state_set_light", -EINVAL, light_number_eight },
 	{ "accel_state_set_material", -E2BIG, material_of_a_later_version },
 	{ "accel_state_set_light", -E2BIG, light_of_a_later_version },
-	{ "accel_draw_clear", -EINVAL, clear_what_is_not_there },
+	{ "accel_draw_begin", -EINVAL, begin_with_a_clear_of_what_is_not_there },
+	{ "accel_draw_begin", -E2BIG, begin_with_a_clear_of_a_later_version },
+	{ "accel_draw_clear", -EINVAL, clear_before_a_frame },
+	{ "accel_draw_clear", -E2BIG, clear_of_a_later_version },
 	{ "accel_draw_mesh", -EINVAL, mesh_without_positions },
 	{ "accel_draw_mesh", -E2BIG, mesh_of_a_later_version },
-	{ "accel_draw_submit", -EINVAL, frame_that_clears_nothing },
-	{ "accel_draw_submit", -EIO, frame_on_a_board_that_fails },
-	{ "accel_draw_submit", -ENODEV, frame_on_no_board },
-	{ "accel_draw_submit", -ENOMEM, frame_without_memory },
+	{ "accel_draw_submit", -EINVAL, submit_draw },
+	{ "accel_draw_submit", -ENODEV, submit_a_frame_to_no_board },
+	{ "accel_draw_finish", -EINVAL, finish_draw },
+	{ "accel_draw_finish", -EIO, finish_a_frame_on_a_board_that_fails },
+	{ "accel_draw_finish", -ENODEV, finish_a_frame_on_no_board },
+	{ "accel_draw_finish", -ENOMEM, finish_a_frame_without_memory },
 	{ "accel_stream_emit", -E2BIG, stream_too_long },
 	{ "accel_stream_slot", -ENOSPC, slot_number_sixteen },
 	{ "accel_stream_slot", -EINVAL, slot_without_rights },
-	{ "accel_stream_submit", -EINVAL, response_to_nowhere },
-	{ "accel_stream_submit", -EIO, job_with_a_fault },
-	{ "accel_stream_submit", -ENODEV, job_on_no_board },
+	{ "accel_stream_submit", -EINVAL, response_without_a_fence },
+	{ "accel_stream_submit", -ENODEV, submit_to_no_board },
+	{ "accel_stream_finish", -EINVAL, response_to_nowhere },
+	{ "accel_stream_finish", -EIO, finish_a_job_with_a_fault },
+	{ "accel_stream_finish", -ENODEV, finish_a_job_on_no_board },
+	{ "accel_stream_finish", -ENOMEM, finish_a_job_without_memory },
 	{ "accel_fence_wait", -ETIMEDOUT, wait_for_a_job_that_runs },
 	{ "accel_fence_wait", -EIO, wait_on_a_board_that_fails },
 	{ "accel_fence_wait", -ENODEV, wait_on_no_board },
@@ -518,6 +619,13 @@ static const struct reached {
 
 /* Reached in other programs, as it takes memory of the program's own that runs out, or a driver:
  * accel_fence_wait -ETIME: test_transport_drm.c
+ * accel_device_finish -ETIME: test_transport_drm.c
+ * accel_stream_submit -EIO: test_transport_drm.c
+ * accel_stream_finish -ETIME: test_transport_drm.c
+ * accel_draw_submit -EIO: test_transport_drm.c
+ * accel_draw_submit -ENOMEM: test_draw_out_of_memory.c
+ * accel_draw_finish -ETIME: test_transport_drm.c
+ * accel_draw_begin -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_clear -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_mesh -ENOMEM: test_draw_out_of_memory.c */
 

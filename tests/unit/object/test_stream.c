@@ -104,7 +104,7 @@ static void lent_words_are_sent_where_they_were_appended(void **state)
 			words[3 + i] = (uint32_t)test_random(&seed);
 		accel_stream_slot(fixture->stream, buffer, ACCEL_SLOT_WRITE);
 		emit_in_pieces(fixture->stream, &seed, words, 3 + 1000);
-		assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, NULL), 0);
+		assert_int_equal(accel_stream_finish(fixture->stream, NULL, 0), 0);
 		assert_int_equal(accel_buffer_read(buffer, 0, back, sizeof(back)), 0);
 		assert_memory_equal(back, words + 3, sizeof(back));
 	}
@@ -333,7 +333,7 @@ static void a_refused_submit_leaves_the_stream_as_it_was(void **state)
 	assert_message(&fixture->messages, "no buffer for 1 response words");
 	accel_stream_words(fixture->stream, &count);
 	assert_int_equal(count, 3);
-	assert_int_equal(accel_stream_submit(fixture->stream, words, 1, NULL), 0);
+	assert_int_equal(accel_stream_finish(fixture->stream, words, 1), 0);
 	accel_stream_words(fixture->stream, &count);
 	assert_int_equal(count, 0);
 }
@@ -347,12 +347,12 @@ static void a_submit_without_a_fence_waits(void **state)
 	accel_stream_slot(fixture->stream, fixture->buffer, ACCEL_SLOT_READ | ACCEL_SLOT_WRITE);
 	accel_stream_emit(fixture->stream, words, packet_write(words, 0, 4, 123));
 	accel_stream_emit(fixture->stream, words, packet_read(words, 0, 4, 1));
-	assert_int_equal(accel_stream_submit(fixture->stream, response, 2, NULL), 0);
+	assert_int_equal(accel_stream_finish(fixture->stream, response, 2), 0);
 	assert_int_equal(response[0], 123);
 	assert_int_equal(response[1], 5);
 	words[0] = 0xff000000;
 	accel_stream_emit(fixture->stream, words, 1);
-	assert_int_equal(accel_stream_submit(fixture->stream, NULL, 0, NULL), -EIO);
+	assert_int_equal(accel_stream_finish(fixture->stream, NULL, 0), -EIO);
 	accel_stream_words(fixture->stream, &count);
 	assert_int_equal(count, 0);
 }

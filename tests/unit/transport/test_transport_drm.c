@@ -485,8 +485,9 @@ static void draw(const char *name, uint32_t pixel[64 * 64])
 	assert_int_equal(accel_draw_new(device, &draw), 0);
 	assert_int_equal(accel_target_new(device, 64, 64, &target), 0);
 	assert_int_equal(accel_state_new(&state), 0);
-	assert_int_equal(accel_draw_mesh(draw, target, state, &mesh), 0);
-	assert_int_equal(accel_draw_submit(draw, NULL), 0);
+	assert_int_equal(accel_draw_begin(draw, target, NULL), 0);
+	assert_int_equal(accel_draw_mesh(draw, state, &mesh), 0);
+	assert_int_equal(accel_draw_finish(draw), 0);
 	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixel, 64 * 4), 0);
 	accel_draw_free(draw);
 	accel_state_free(state);
@@ -503,6 +504,69 @@ static void a_picture_is_that_of_the_model(void **state)
 	draw("model:", model);
 	assert_memory_equal(pixel, model, sizeof(pixel));
 	assert_int_not_equal(pixel[32 * 64 + 32], 0);
+}
+
+/* A device with a frame that was begun, and a stream. */
+struct library {
+	struct accel_device *device;
+	struct accel_target *target;
+	struct accel_draw *draw;
+	struct accel_stream *stream;
+	struct messages messages;
+};
+
+static void library_open(struct library *library)
+{
+	library->device = device_open("drm:", &library->messages);
+	assert_int_equal(accel_target_new(library->device, 64, 64, &library->target), 0);
+	assert_int_equal(accel_draw_new(library->device, &library->draw), 0);
+	assert_int_equal(accel_stream_new(library->device, &library->stream), 0);
+	assert_int_equal(accel_draw_begin(library->draw, library->target, NULL), 0);
+}
+
+static void library_close(struct library *library)
+{
+	accel_stream_free(library->stream);
+	accel_draw_free(library->draw);
+	accel_target_free(library->target);
+	accel_device_free(library->device);
+}
+
+static void what_the_kernel_refuses_is_an_error_of_submit(void **state)
+{
+	struct library library;
+	struct accel_fence *fence;
+
+	(void)state;
+	library_open(&library);
+	fake_gloss.fail_request = GLOSS(SUBMIT);
+	fake_gloss.fail_errno = EFAULT;
+	fake_gloss.fail_at = 1;
+	assert_int_equal(accel_stream_submit(library.stream, NULL, 0, NULL), -EIO);
+	fake_gloss.fail_at = 1;
+	assert_int_equal(accel_draw_submit(library.draw, &fence), -EIO);
+	/* Nothing was sent. */
+	assert_int_equal(accel_draw_finish(library.draw), 0);
+	assert_int_equal(accel_stream_finish(library.stream, NULL, 0), 0);
+	library_close(&library);
+}
+
+static void a_job_that_runs_for_too_long_is_told_by_whoever_waits(void **state)
+{
+	struct library library;
+
+	(void)state;
+	library_open(&library);
+	fake_gloss_lose(0, -ETIME);
+	assert_int_equal(accel_draw_finish(library.draw), -ETIME);
+	assert_message(&library.messages, "ran for longer than a job may");
+	fake_gloss_lose(0, -ETIME);
+	assert_int_equal(accel_stream_finish(library.stream, NULL, 0), -ETIME);
+	fake_gloss_lose(0, -ETIME);
+	assert_int_equal(accel_stream_submit(library.stream, NULL, 0, NULL), 0);
+	assert_int_equal(accel_device_finish(library.device), -ETIME);
+	assert_int_equal(accel_device_finish(library.device), 0);
+	library_close(&library);
 }
 
 static void clocks_are_what_the_kernel_tells(void **state)
@@ -550,6 +614,8 @@ int main(void)
 		drm_test(the_memory_of_a_job_whose_wait_failed_is_not_used_again),
 		drm_test(threads_share_a_device),
 		drm_test(a_picture_is_that_of_the_model),
+		drm_test(what_the_kernel_refuses_is_an_error_of_submit),
+		drm_test(a_job_that_runs_for_too_long_is_told_by_whoever_waits),
 		drm_test(clocks_are_what_the_kernel_tells),
 	};
 

@@ -70,7 +70,7 @@ static int run(struct accel_device *device, uint32_t word, uint32_t packet, uint
 
 	assert_int_equal(accel_stream_new(device, &stream), 0);
 	assert_int_equal(accel_stream_emit(stream, words, 4), 0);
-	err = accel_stream_submit(stream, response, 2, NULL);
+	err = accel_stream_finish(stream, response, 2);
 	accel_stream_free(stream);
 	return err;
 }

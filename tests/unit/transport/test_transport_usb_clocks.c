@@ -86,7 +86,7 @@ static int run_job(struct accel_device *device)
 	int err;
 
 	assert_int_equal(accel_stream_new(device, &stream), 0);
-	err = accel_stream_submit(stream, NULL, 0, NULL);
+	err = accel_stream_finish(stream, NULL, 0);
 	accel_stream_free(stream);
 	return err;
 }
