@@ -56,6 +56,8 @@
 #define GLOSS_JOBS_AHEAD	2
 /* Jobs of a file, queued or under way, above which SUBMIT waits. */
 #define GLOSS_FILE_JOBS		1024
+/* How long after the end of its job an interrupt may come. */
+#define GLOSS_INTERRUPT_MS	100
 /* What a job may still run for after its file was closed. */
 #define GLOSS_CLOSED_LIMIT_MS	100
 /*
@@ -107,6 +109,13 @@ struct gloss_clocks {
 	s64 ns;				/* how long they took */
 };
 
+/* What the board has ended and no interrupt has told of. */
+enum gloss_ring_news {
+	GLOSS_RING_NOTHING,
+	GLOSS_RING_ENDED,		/* a job, since this was asked last */
+	GLOSS_RING_UNHEARD,		/* a job, which it had ended then already */
+};
+
 /* Jobs that the board has and has not ended, from head to tail. */
 struct gloss_ring {
 	struct gloss_ring_shared *shared;
@@ -121,6 +130,7 @@ struct gloss_ring {
 	/* What the board had done when gloss_sched looked at it last; under @push_lock. */
 	u32 seen_head, seen_progress;
 	ktime_t seen;			/* since when that has not changed */
+	u32 unheard;			/* of gloss_ring_news(); under @push_lock */
 
 	/* Protects the following members. */
 	spinlock_t lock;
@@ -531,6 +541,7 @@ void gloss_fences_wait_for_none(void);
 int gloss_ring_init(struct gloss_device *gdev);
 void gloss_ring_push(struct gloss_device *gdev, struct gloss_job *job);
 unsigned int gloss_ring_reap(struct gloss_ring *ring);
+enum gloss_ring_news gloss_ring_news(struct gloss_ring *ring);
 void gloss_ring_fail(struct gloss_ring *ring, int error);
 bool gloss_ring_blame(struct gloss_ring *ring, u32 sequence, struct gloss_ring_fault *fault);
 s64 gloss_ring_ran_ms(struct gloss_ring *ring);

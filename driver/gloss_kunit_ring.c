@@ -253,6 +253,27 @@ static void ring_of_a_board_that_has_gone_takes_no_job(struct kunit *test)
 	KUNIT_EXPECT_TRUE(test, gloss_ring_idle(&gdev->ring));
 }
 
+/* A look may meet the record before the interrupt; and the next look another job's. */
+static void ring_interrupt_is_lost_that_does_not_come(struct kunit *test)
+{
+	struct gloss_device *gdev = test->priv;
+	struct gloss_ring *ring = &gdev->ring;
+	struct ring_job *first = ring_push(test), *second = ring_push(test);
+
+	mutex_lock(&ring->push_lock);
+	KUNIT_EXPECT_EQ(test, gloss_ring_news(ring), GLOSS_RING_NOTHING);
+	ring_complete(test, 0, first->job.sequence, 0);
+	KUNIT_EXPECT_EQ(test, gloss_ring_news(ring), GLOSS_RING_ENDED);
+	KUNIT_EXPECT_EQ(test, first->ended, 0);
+	KUNIT_EXPECT_EQ(test, gloss_ring_reap(ring), 1);
+	ring_complete(test, 1, second->job.sequence, 0);
+	KUNIT_EXPECT_EQ(test, gloss_ring_news(ring), GLOSS_RING_ENDED);
+	KUNIT_EXPECT_EQ(test, gloss_ring_news(ring), GLOSS_RING_UNHEARD);
+	KUNIT_EXPECT_EQ(test, gloss_ring_reap(ring), 1);
+	KUNIT_EXPECT_EQ(test, gloss_ring_news(ring), GLOSS_RING_NOTHING);
+	mutex_unlock(&ring->push_lock);
+}
+
 /* From the first entry on, and records of before the reset are nobody's. */
 static void ring_restarted_has_what_had_not_ended(struct kunit *test)
 {
@@ -356,6 +377,7 @@ static struct kunit_case ring_cases[] = {
 	KUNIT_CASE(ring_of_a_board_that_has_gone_takes_no_job),
 	KUNIT_CASE(ring_restarted_has_what_had_not_ended),
 	KUNIT_CASE(ring_of_a_board_that_sleeps_is_told_when_it_wakes),
+	KUNIT_CASE(ring_interrupt_is_lost_that_does_not_come),
 	KUNIT_CASE(ring_job_has_a_limit),
 	KUNIT_CASE(ring_job_of_a_closed_file_has_a_lower_limit),
 	KUNIT_CASE(ring_time_is_counted_once),

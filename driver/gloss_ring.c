@@ -241,6 +241,24 @@ unsigned int gloss_ring_reap(struct gloss_ring *ring)
 	return ended;
 }
 
+/* Of the job at the ring's head: whoever asks twice knows whether its interrupt was lost. */
+enum gloss_ring_news gloss_ring_news(struct gloss_ring *ring)
+{
+	struct drm_gloss_status status;
+	const struct gloss_job *job;
+	u32 before = ring->unheard;
+	unsigned long flags;
+
+	lockdep_assert_held(&ring->push_lock);
+	spin_lock_irqsave(&ring->lock, flags);
+	job = gloss_ring_first(ring);
+	ring->unheard = job && gloss_ring_ended(ring, job, &status) ? job->sequence : 0;
+	spin_unlock_irqrestore(&ring->lock, flags);
+	if (!ring->unheard)
+		return GLOSS_RING_NOTHING;
+	return ring->unheard == before ? GLOSS_RING_UNHEARD : GLOSS_RING_ENDED;
+}
+
 /* Ends all jobs of the ring with @error. */
 void gloss_ring_fail(struct gloss_ring *ring, int error)
 {

@@ -7,7 +7,7 @@
  *
  * How long that takes is watched here, and not by the scheduler, whose own timer would take it
  * apart for each late job. As long as the ring has jobs, a work looks at it every timeout_ms.
- * If a job has ended, an interrupt was lost. If the board has not moved for timeout_ms, the job
+ * If a job has ended, and its interrupt has not come a moment later, that was lost. If the board has not moved for timeout_ms, the job
  * at the ring's head hung; if the job has run for job_limit_ms, it ends all the same. A DMA
  * error makes the driver look at once, and the board names the job. Then the board is reset,
  * and given the ring again, with an empty job in place of the one to blame, which so ends in
@@ -185,6 +185,18 @@ static int gloss_sched_judge(struct gloss_device *gdev, u32 status)
 	return gloss_sched_moved(gdev) ? 0 : -EIO;
 }
 
+/* Whether the board has ended a job and told of it, which may yet be heard. */
+static bool gloss_sched_interrupt_due(struct gloss_device *gdev)
+{
+	enum gloss_ring_news news = gloss_ring_news(&gdev->ring);
+
+	if (news == GLOSS_RING_UNHEARD && gloss_ring_reap(&gdev->ring)) {
+		atomic_inc(&gdev->interrupts_lost);
+		drm_notice(&gdev->drm, "an interrupt was lost\n");
+	}
+	return news == GLOSS_RING_ENDED;
+}
+
 /* Finds out why the ring's jobs have not ended. */
 static void gloss_sched_look(struct gloss_device *gdev)
 {
@@ -192,11 +204,7 @@ static void gloss_sched_look(struct gloss_device *gdev)
 	u32 status;
 	int error;
 
-	if (gloss_ring_reap(ring)) {
-		atomic_inc(&gdev->interrupts_lost);
-		drm_notice(&gdev->drm, "an interrupt was lost\n");
-	}
-	if (gloss_ring_idle(ring))
+	if (gloss_sched_interrupt_due(gdev) || gloss_ring_idle(ring))
 		return;
 
 	status = gloss_read(gdev, GLOSS_REG_STATUS);
@@ -214,6 +222,8 @@ static unsigned int gloss_sched_next_look_ms(struct gloss_device *gdev)
 	int error;
 	s64 left = gloss_ring_left_ms(&gdev->ring, gloss_sched_limit_ms(), &error);
 
+	if (READ_ONCE(gdev->ring.unheard))
+		return GLOSS_INTERRUPT_MS;
 	return clamp_t(s64, left, 1, gloss_sched_timeout_ms());
 }
 
