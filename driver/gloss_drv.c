@@ -292,7 +292,8 @@ static int __init gloss_init(void)
 static void __exit gloss_exit(void)
 {
 	pci_unregister_driver(&gloss_pci_driver);
-	gloss_fences_wait_for_none();
+	/* The last fence is gone, but what freed it may not have returned. */
+	rcu_barrier();
 }
 
 module_init(gloss_init);

@@ -535,7 +535,6 @@ bool gloss_turns_idle(struct gloss_turns *turns);
 extern const struct dma_fence_ops gloss_fence_ops;
 struct dma_fence *gloss_fence_new(void);
 void gloss_fence_free(struct dma_fence *fence);
-void gloss_fences_wait_for_none(void);
 
 /* gloss_ring.c */
 int gloss_ring_init(struct gloss_device *gdev);

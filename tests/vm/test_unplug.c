@@ -312,6 +312,25 @@ static void the_module_stays_while_files_are_open(void **state)
 	assert_true(client_works(&client));
 }
 
+/* Its fence is the scheduler's, which holds the driver's. */
+static void the_module_stays_while_a_sync_file_is_open(void **state)
+{
+	int file;
+
+	(void)state;
+	assert_int_equal(client_queue(&client, 0), 0);
+	assert_int_equal(client_queue_wait(&client, 0), 0);
+	assert_int_equal(drmSyncobjExportSyncFile(client.fd, client.queued[0], &file), 0);
+	client_close(&client);
+	client_close(&other);
+	/* Until all else that they had is gone. */
+	sleep(1);
+	assert_int_equal(syscall(SYS_delete_module, "gloss", O_NONBLOCK), -1);
+	assert_in_set(errno, ((unsigned long[]){ EWOULDBLOCK, EBUSY }), 2);
+	assert_int_equal(node_file_wait(file, 0), 0);
+	close(file);
+}
+
 /* ---- power and interrupts ---- */
 
 static void sleep_and_wake(bool without_power)
@@ -489,6 +508,7 @@ int main(void)
 		unplug_test(memory_of_a_killed_process_is_clear),
 		unplug_test(jobs_of_a_closed_file_end),
 		unplug_test(the_module_stays_while_files_are_open),
+		unplug_test(the_module_stays_while_a_sync_file_is_open),
 		unplug_test(jobs_end_without_msi),
 		unplug_test(a_board_sleeps_with_jobs_queued),
 		unplug_test(a_reset_of_the_function_loses_no_job),

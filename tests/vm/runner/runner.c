@@ -240,7 +240,9 @@ static void run_kunit(void)
 
 static void run_all(void)
 {
-	char *rmmod[] = { "rmmod", "gloss", NULL }, *nothing[] = { "true", NULL };
+	/* The last fences are freed some time after the last program has ended. */
+	char *rmmod[] = { "sh", "-c", "until rmmod gloss; do sleep 0.1; done", NULL };
+	char *nothing[] = { "true", NULL };
 
 	for (int i = 0; i < plan.test_count; i++)
 		run_test(&plan.tests[i]);
