@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 # The library, shared and static.
+##@ Building
 
 include libaccel/model/model.mk
 include libaccel/draw/draw.mk
 
 # "drm:" takes libdrm; without it the library says so when it is asked for a PCI board.
 ifeq ($(shell pkg-config --exists 'libdrm >= 2.4.99' 2>/dev/null && echo yes),yes)
-DRM_SOURCES := $(addprefix libaccel/transport/drm/, drm.c node.c buffer.c)
+DRM_SOURCES := $(addprefix libaccel/transport/drm/, drm.c job.c node.c buffer.c)
 DRM_CFLAGS := -Idriver $(shell pkg-config --cflags libdrm)
 DRM_LIBS := $(shell pkg-config --libs libdrm)
 else
@@ -15,8 +16,8 @@ endif
 
 # "usb:" takes libusb, likewise.
 ifeq ($(shell pkg-config --exists 'libusb-1.0 >= 1.0.21' 2>/dev/null && echo yes),yes)
-USB_SOURCES := $(addprefix libaccel/transport/usb/, usb.c link.c link_state.c message.c node.c sync.c where.c \
-	transfer.c watch.c clocks.c zero.c)
+USB_SOURCES := $(addprefix libaccel/transport/usb/, usb.c job_message.c memory.c link.c link_state.c \
+	message.c node.c sync.c where.c transfer.c watch.c clocks.c zero.c)
 USB_CFLAGS := -Idriver $(shell pkg-config --cflags libusb-1.0)
 USB_LIBS := $(shell pkg-config --libs libusb-1.0)
 else

@@ -14,27 +14,12 @@
 #include <xf86drm.h>
 
 #include "gloss_drm.h"
-#include "transport/drm/buffer.h"
+#include "transport/drm/job.h"
 #include "transport/drm/node.h"
-#include "transport/job_table.h"
 #include "transport/thread.h"
-
-#define PAGE 4096u
-
-/* Where things are in a job's host object: the stream follows the status, then the response. */
-#define STATUS_OFFSET 0
-#define STREAM_OFFSET PAGE
 
 _Static_assert((int)GLOSS_RIGHTS_READ == DRM_GLOSS_SLOT_READ &&
 	       (int)GLOSS_RIGHTS_WRITE == DRM_GLOSS_SLOT_WRITE, "rights of a slot");
-
-struct drm_job {
-	struct accel_job_entry entry;	/* first, so that an entry is its job */
-	struct accel_drm_buffer *buffer;
-	uint64_t response_offset;	/* in the buffer */
-	uint32_t *response;		/* the caller's */
-	uint32_t response_words;
-};
 
 struct transport_drm {
 	int fd;
@@ -223,48 +208,6 @@ static void transport_drm_memory_free(void *state, uint64_t object)
 
 /* ---- submitting ---- */
 
-static uint64_t drm_page_align(uint64_t bytes)
-{
-	return (bytes + PAGE - 1) / PAGE * PAGE;
-}
-
-/* The stream goes to the job's buffer, and a status in case the kernel gives none. */
-static void drm_job_fill(const struct drm_job *job, const struct accel_transport_job *from)
-{
-	const struct drm_gloss_status lost = { .error = -EIO };
-	uint8_t *map = job->buffer->map;
-
-	memcpy(map + STATUS_OFFSET, &lost, sizeof(lost));
-	accel_transport_copy(from, map + STREAM_OFFSET);
-}
-
-static int drm_job_new(struct transport_drm *transport, const struct accel_transport_job *from,
-		       struct drm_job **out)
-{
-	struct drm_job *job = malloc(sizeof(*job));
-	struct accel_pool_buffer *buffer;
-	int err;
-
-	if (!job)
-		return -ENOMEM;
-	*job = (struct drm_job){
-		.response_offset = STREAM_OFFSET +
-				   drm_page_align(4 * (uint64_t)from->stream_words),
-		.response = from->response,
-		.response_words = from->response_words,
-	};
-	err = accel_pool_get(&transport->pool,
-			     job->response_offset + 4 * (uint64_t)from->response_words, &buffer);
-	if (err) {
-		free(job);
-		return err;
-	}
-	job->buffer = (struct accel_drm_buffer *)buffer;
-	drm_job_fill(job, from);
-	*out = job;
-	return 0;
-}
-
 /* A slot without rights is an empty one to the kernel; to a stream it is the same. */
 static void drm_fill_slots(const struct accel_transport_job *from, struct drm_gloss_slot *slot)
 {
@@ -280,7 +223,7 @@ static void drm_fill_slots(const struct accel_transport_job *from, struct drm_gl
 }
 
 /* As point @sequence. */
-static int drm_job_submit(const struct transport_drm *transport, const struct drm_job *job,
+static int drm_job_submit(const struct transport_drm *transport, const struct accel_drm_job *job,
 			  const struct accel_transport_job *from, uint64_t sequence)
 {
 	struct drm_gloss_slot slot[GLOSS_SLOTS];
@@ -293,7 +236,7 @@ static int drm_job_submit(const struct transport_drm *transport, const struct dr
 		.stream_words = from->stream_words,
 		.response_words = from->response_words,
 		.status = job->buffer->handle,
-		.status_offset = STATUS_OFFSET,
+		.status_offset = DRM_STATUS_OFFSET,
 		.slot_count = from->slots,
 		.slots = (uintptr_t)slot,
 		.slot_stride = from->slots ? sizeof(slot[0]) : 0,
@@ -304,7 +247,7 @@ static int drm_job_submit(const struct transport_drm *transport, const struct dr
 
 	if (from->stream_words) {
 		submit.stream = job->buffer->handle;
-		submit.stream_offset = STREAM_OFFSET;
+		submit.stream_offset = DRM_STREAM_OFFSET;
 	}
 	if (from->response_words) {
 		submit.response = job->buffer->handle;
@@ -318,13 +261,13 @@ static int transport_drm_submit(void *state, const struct accel_transport_job *f
 				uint64_t *sequence)
 {
 	struct transport_drm *transport = state;
-	struct drm_job *job;
+	struct accel_drm_job *job;
 	int err;
 
 	if (from->slots > GLOSS_SLOTS || from->stream_words > transport->words_max ||
 	    from->response_words > transport->words_max)
 		return -EINVAL;
-	err = drm_job_new(transport, from, &job);
+	err = accel_drm_job_new(&transport->pool, from, &job);
 	if (err)
 		return err;
 	err = drm_job_submit(transport, job, from, transport->sequence + 1);
@@ -360,7 +303,7 @@ static int drm_wait_point(struct transport_drm *transport, uint64_t point, int64
 }
 
 /* NULL: no such job. */
-static struct drm_job *drm_job_take(struct transport_drm *transport, uint64_t sequence)
+static struct accel_drm_job *drm_job_take(struct transport_drm *transport, uint64_t sequence)
 {
 	struct accel_job_entry *entry;
 
@@ -369,50 +312,14 @@ static struct drm_job *drm_job_take(struct transport_drm *transport, uint64_t se
 	if (entry)
 		accel_job_table_take(&transport->jobs, entry);
 	pthread_mutex_unlock(&transport->lock);
-	return (struct drm_job *)entry;
-}
-
-/* What a job's @error in its status is to who waits for it. */
-static int drm_job_error(int error)
-{
-	switch (error) {
-	case -ENODEV:
-	case -ECANCELED:
-		return -ENODEV;
-	case -ETIME:
-		return error;
-	default:
-		return -EIO;
-	}
-}
-
-static int drm_job_result(const struct drm_job *job, struct gloss_status *status)
-{
-	const uint8_t *map = job->buffer->map;
-	struct drm_gloss_status ended;
-	uint32_t words;
-
-	memcpy(&ended, map + STATUS_OFFSET, sizeof(ended));
-	if (ended.error)
-		return drm_job_error(ended.error);
-	words = ended.response_words < job->response_words ? ended.response_words :
-							     job->response_words;
-	*status = (struct gloss_status){
-		.cause = (enum gloss_fault)ended.cause,
-		.offset = ended.offset,
-		.response_words = words,
-	};
-	if (words)
-		memcpy(job->response, map + job->response_offset,
-		       (size_t)words * sizeof(uint32_t));
-	return 0;
+	return (struct accel_drm_job *)entry;
 }
 
 static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 			      struct gloss_status *status)
 {
 	struct transport_drm *transport = state;
-	struct drm_job *job;
+	struct accel_drm_job *job;
 	int err;
 
 	err = drm_wait_point(transport, sequence, timeout_ns);
@@ -425,7 +332,7 @@ static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns
 	if (err) {
 		accel_drm_buffer_drop(transport->fd, job->buffer);
 	} else {
-		err = drm_job_result(job, status);
+		err = accel_drm_job_result(job, status);
 		accel_pool_put(&transport->pool, &job->buffer->pooled);
 	}
 	free(job);

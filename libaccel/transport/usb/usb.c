@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /*
  * "usb:": a board on a cable, through libusb. The library has it for itself, hands out its memory
- * and clears that with jobs of its own; link.h has the jobs.
+ * (memory.h) and clears that with jobs of its own; link.h has the jobs.
  */
 #include <errno.h>
 #include <stdbool.h>
@@ -10,31 +10,18 @@
 #include <string.h>
 
 #include "gloss_regs.h"
-#include "transport/range.h"
-#include "transport/usb/checksum.h"
-#include "transport/usb/link.h"
+#include "transport/usb/job_message.h"
+#include "transport/usb/memory.h"
 #include "transport/usb/node.h"
-#include "transport/usb/zero.h"
 
 #define MEMORY_PAGES_MAX (1u << 20)
 #define ATTEMPTS 3			/* to submit a job */
-
-/* A range of board memory; the library knows it by its base. */
-struct usb_object {
-	struct usb_object *next;
-	uint64_t base;
-	uint32_t size;			/* that a job can reach */
-	uint32_t tiles;			/* that it has, to be cleared */
-	bool cleared;
-	uint64_t clearing;		/* the job that does it, 0: none */
-};
 
 struct transport_usb {
 	struct accel_usb_node node;
 	struct accel_usb_link *link;
 	struct accel_transport_info info;
-	struct accel_range_space ranges;
-	struct usb_object *objects;
+	struct accel_usb_memory memory;
 };
 
 /* ---- opening ---- */
@@ -125,7 +112,7 @@ static void usb_free(struct transport_usb *transport)
 	if (transport->node.stuck)
 		return;
 	accel_usb_node_close(&transport->node);
-	accel_range_fini(&transport->ranges);
+	accel_range_fini(&transport->memory.ranges);
 	free(transport);
 }
 
@@ -150,7 +137,7 @@ static int transport_usb_open(const char *where, void **state,
 		return err;
 	}
 	usb_name(&transport->info, transport->node.serial);
-	accel_range_init(&transport->ranges, transport->info.memory_size);
+	accel_usb_memory_init(&transport->memory, transport->link, &transport->info);
 	*state = transport;
 	return 0;
 }
@@ -170,194 +157,21 @@ static void transport_usb_info(void *state, struct accel_transport_info *info)
 	*info = transport->info;
 }
 
-/* ---- board memory ---- */
-
-/* The pointer to it, or to where the list ends. */
-static struct usb_object **usb_object_find(struct transport_usb *transport, uint64_t base)
-{
-	struct usb_object **link = &transport->objects;
-
-	while (*link && (*link)->base != base)
-		link = &(*link)->next;
-	return link;
-}
-
 static int transport_usb_memory_new(void *state, uint64_t size, uint64_t *object)
 {
 	struct transport_usb *transport = state;
-	uint64_t tile_bytes = accel_usb_zero_tile_bytes(transport->info.tile_size);
-	uint64_t tiles = (size + tile_bytes - 1) / tile_bytes;
-	struct usb_object *new;
-	int err;
 
-	if (accel_usb_link_is_gone(transport->link))
-		return -ENODEV;
-	new = malloc(sizeof(*new));
-	if (!new)
-		return -ENOMEM;
-	err = accel_range_new(&transport->ranges, tiles * tile_bytes, object);
-	if (err) {
-		free(new);
-		return err;
-	}
-	*new = (struct usb_object){
-		.next = transport->objects,
-		.base = *object,
-		.size = (uint32_t)size,
-		.tiles = (uint32_t)tiles,
-	};
-	transport->objects = new;
-	return 0;
+	return accel_usb_memory_new(&transport->memory, size, object);
 }
 
-/*
- * The range may be used again at once, though it is still being cleared: what clears it for its
- * next owner, and that one's jobs, come after that.
- */
 static void transport_usb_memory_free(void *state, uint64_t base)
 {
 	struct transport_usb *transport = state;
-	struct usb_object **link = usb_object_find(transport, base), *object = *link;
 
-	if (object->clearing)
-		accel_usb_link_forget(transport->link, object->clearing);
-	*link = object->next;
-	free(object);
-	accel_range_free(&transport->ranges, base);
+	accel_usb_memory_free(&transport->memory, base);
 }
 
 /* ---- jobs ---- */
-
-/* A job without its slots, its stream and its end, and where these go. */
-static struct accel_usb_job *usb_job_new(struct transport_usb *transport,
-					 const struct accel_transport_job *from, uint32_t **rest)
-{
-	const struct gloss_usb_job head = {
-		.slots = from->slots,
-		.mark = GLOSS_USB_JOB_MAGIC,
-		.stream_words = from->stream_words,
-		.response_words = from->response_words,
-	};
-	size_t words = GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS;
-	struct accel_usb_job *job;
-
-	words += (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS;
-	if (from->stream_words > SIZE_MAX / sizeof(uint32_t) - words)
-		return NULL;
-	words += from->stream_words;
-	job = accel_usb_job_new(transport->link, words);
-	if (!job)
-		return NULL;
-	gloss_usb_job_pack(job->message->word, &head);
-	job->answer = (struct accel_usb_answer){
-		.stream_words = from->stream_words,
-		.response = from->response,
-		.response_words = from->response_words,
-	};
-	*rest = job->message->word + GLOSS_USB_JOB_WORDS;
-	return job;
-}
-
-/* The slots and the stream are there. */
-static void usb_job_finish(struct accel_usb_job *job)
-{
-	const size_t end = job->bytes / sizeof(uint32_t) - GLOSS_USB_JOB_END_WORDS;
-	uint32_t *words = job->message->word;
-	const struct gloss_usb_job_end checked = {
-		.checksum = accel_usb_checksum(0, words + GLOSS_USB_JOB_STREAM_WORDS_WORD,
-					       end - GLOSS_USB_JOB_STREAM_WORDS_WORD),
-	};
-
-	gloss_usb_job_end_pack(words + end, &checked);
-}
-
-/* Queues the job that makes the object zero. */
-static int usb_clear_queue(struct transport_usb *transport, struct usb_object *object,
-			   uint64_t losses)
-{
-	uint32_t tile_size = transport->info.tile_size, *words;
-	const struct gloss_slot_entry slot = {
-		.base = (uint32_t)object->base,
-		.size = object->tiles * accel_usb_zero_tile_bytes(tile_size),
-		.rights = GLOSS_RIGHTS_WRITE,
-	};
-	const struct accel_transport_job from = {
-		.stream_words = accel_usb_zero_words(object->tiles),
-		.slots = 1,
-	};
-	struct accel_usb_job *job = usb_job_new(transport, &from, &words);
-	int err;
-
-	if (!job)
-		return -ENOMEM;
-	job->must = true;
-	gloss_slot_entry_pack(words, &slot);
-	accel_usb_zero_pack(words + GLOSS_SLOT_ENTRY_WORDS, tile_size, object->tiles);
-	usb_job_finish(job);
-	err = accel_usb_link_submit(transport->link, job, losses, &object->clearing);
-	if (err)
-		accel_usb_job_free(transport->link, job);
-	return err;
-}
-
-/*
- * Sees to it that the object is zero before a job that is submitted next, unless that answers
- * -EAGAIN because a clearing job may have been lost.
- */
-static int usb_clear(struct transport_usb *transport, struct usb_object *object, uint64_t losses)
-{
-	struct gloss_status status;
-	int err;
-
-	if (object->cleared)
-		return 0;
-	if (object->clearing) {
-		err = accel_usb_link_wait(transport->link, object->clearing, 0, &status);
-		if (err == -ETIMEDOUT)
-			return 0;
-		object->clearing = 0;
-		object->cleared = !err;
-		if (!err)
-			return 0;
-	}
-	return usb_clear_queue(transport, object, losses);
-}
-
-static int usb_clear_slots(struct transport_usb *transport, const struct accel_transport_job *from,
-			   uint64_t losses)
-{
-	int err = 0;
-
-	for (uint32_t i = 0; i < from->slots && !err; i++)
-		if (from->slot[i].rights)
-			err = usb_clear(transport,
-					*usb_object_find(transport, from->slot[i].object), losses);
-	return err;
-}
-
-/* A slot without rights is an empty one; to a stream it is the same. */
-static int usb_fill_slots(struct transport_usb *transport, const struct accel_transport_job *from,
-			  uint32_t *words)
-{
-	for (uint32_t i = 0; i < from->slots; i++) {
-		struct gloss_slot_entry slot = { .base = 0 };
-
-		if (from->slot[i].rights) {
-			const struct usb_object *object =
-				*usb_object_find(transport, from->slot[i].object);
-
-			if (!object)
-				return -EINVAL;
-			slot = (struct gloss_slot_entry){
-				.base = (uint32_t)object->base,
-				.size = object->size,
-				.rights = from->slot[i].rights,
-			};
-		}
-		gloss_slot_entry_pack(words + i * GLOSS_SLOT_ENTRY_WORDS, &slot);
-	}
-	return 0;
-}
 
 /* A board that fails again and again between a clearing job and the job fails this one, too. */
 static int usb_job_submit(struct transport_usb *transport, struct accel_usb_job *job,
@@ -368,7 +182,7 @@ static int usb_job_submit(struct transport_usb *transport, struct accel_usb_job 
 	for (int attempt = 0; attempt < ATTEMPTS && err == -EAGAIN; attempt++) {
 		uint64_t losses = accel_usb_link_losses(transport->link);
 
-		err = usb_clear_slots(transport, from, losses);
+		err = accel_usb_memory_clear(&transport->memory, from, losses);
 		if (!err)
 			err = accel_usb_link_submit(transport->link, job, losses, sequence);
 	}
@@ -385,12 +199,12 @@ static int transport_usb_submit(void *state, const struct accel_transport_job *f
 
 	if (from->slots > GLOSS_SLOTS)
 		return -EINVAL;
-	job = usb_job_new(transport, from, &words);
+	job = accel_usb_job_message_begin(transport->link, from, &words);
 	if (!job)
 		return -ENOMEM;
-	err = usb_fill_slots(transport, from, words);
+	err = accel_usb_memory_slots(&transport->memory, from, words);
 	accel_transport_copy(from, words + (size_t)from->slots * GLOSS_SLOT_ENTRY_WORDS);
-	usb_job_finish(job);
+	accel_usb_job_message_finish(job);
 	if (!err)
 		err = usb_job_submit(transport, job, from, sequence);
 	if (err)
