@@ -2,6 +2,7 @@
 #include <pthread.h>
 
 #include "accel_test.h"
+#include "share_test.h"
 
 static void the_model_says_what_it_is(void **state)
 {
@@ -198,56 +199,10 @@ static void a_message_function_may_call_the_library(void **state)
 	accel_device_free(device);
 }
 
-#define THREADS 4
-#define ROUNDS 40
-
-/* One of several that share a device: nothing of another's may show in its buffer. */
-static void *share_device(void *data)
-{
-	struct accel_device *device = data;
-	struct accel_buffer *buffer;
-	uint32_t words[64], back[64];
-	uint64_t seed = (uint64_t)(uintptr_t)&buffer;
-	int round, i;
-
-	for (round = 0; round < ROUNDS; round++) {
-		if (accel_buffer_new(device, sizeof(words), &buffer))
-			return "no buffer";
-		for (i = 0; i < 64; i++)
-			words[i] = (uint32_t)test_random(&seed);
-		if (accel_buffer_read(buffer, 0, back, sizeof(back)))
-			return "no read";
-		for (i = 0; i < 64; i++)
-			if (back[i])
-				return "a new buffer is not zero";
-		if (accel_buffer_write(buffer, 0, words, sizeof(words)) ||
-		    accel_buffer_read(buffer, 0, back, sizeof(back)))
-			return "no copy";
-		if (memcmp(words, back, sizeof(words)))
-			return "another's words";
-		accel_buffer_free(buffer);
-	}
-	return NULL;
-}
-
 static void threads_share_a_device(void **state)
 {
-	pthread_t thread[THREADS];
-	struct accel_device *device;
-	struct messages messages;
-	void *wrong;
-	int i;
-
 	(void)state;
-	device = device_open("model:memory=65536", &messages);
-	for (i = 0; i < THREADS; i++)
-		assert_int_equal(pthread_create(&thread[i], NULL, share_device, device), 0);
-	for (i = 0; i < THREADS; i++) {
-		pthread_join(thread[i], &wrong);
-		if (wrong)
-			fail_msg("%s", (const char *)wrong);
-	}
-	accel_device_free(device);
+	share_check("model:memory=65536");
 }
 
 static void *use_own_device(void *data)
@@ -265,18 +220,8 @@ static void *use_own_device(void *data)
 
 static void threads_have_devices_of_their_own(void **state)
 {
-	pthread_t thread[THREADS];
-	void *wrong;
-	int i;
-
 	(void)state;
-	for (i = 0; i < THREADS; i++)
-		assert_int_equal(pthread_create(&thread[i], NULL, use_own_device, NULL), 0);
-	for (i = 0; i < THREADS; i++) {
-		pthread_join(thread[i], &wrong);
-		if (wrong)
-			fail_msg("%s", (const char *)wrong);
-	}
+	share_run(use_own_device, NULL);
 }
 
 int main(void)

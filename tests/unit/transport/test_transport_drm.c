@@ -6,6 +6,7 @@
 
 #include "fake_gloss.h"
 #include "gloss_drm.h"
+#include "share_test.h"
 #include "transport_test.h"
 
 #define UNUSED_BYTES (32u << 20)
@@ -417,53 +418,10 @@ static void the_memory_of_a_job_whose_wait_failed_is_not_used_again(void **state
 
 /* ---- the library on it ---- */
 
-#define THREADS 4
-
-static void *share_device(void *data)
-{
-	struct accel_device *device = data;
-	struct accel_buffer *buffer;
-	uint64_t seed = (uint64_t)(uintptr_t)&buffer;
-	uint32_t words[64], back[64];
-
-	for (int round = 0; round < 100; round++) {
-		if (accel_buffer_new(device, sizeof(words), &buffer))
-			return "no buffer";
-		if (accel_buffer_read(buffer, 0, back, sizeof(back)))
-			return "no read";
-		for (int i = 0; i < 64; i++) {
-			words[i] = (uint32_t)test_random(&seed);
-			if (back[i])
-				return "a new buffer is not zero";
-		}
-		if (accel_buffer_write(buffer, 0, words, sizeof(words)) ||
-		    accel_buffer_read(buffer, 0, back, sizeof(back)))
-			return "no copy";
-		if (memcmp(words, back, sizeof(words)) != 0)
-			return "another's words";
-		accel_buffer_free(buffer);
-	}
-	return NULL;
-}
-
 static void threads_share_a_device(void **state)
 {
-	pthread_t thread[THREADS];
-	struct accel_device *device;
-	struct messages messages;
-	void *wrong;
-
 	(void)state;
-	device = device_open("drm:", &messages);
-	for (int i = 0; i < THREADS; i++)
-		assert_int_equal(pthread_create(&thread[i], NULL, share_device, device), 0);
-	for (int i = 0; i < THREADS; i++) {
-		pthread_join(thread[i], &wrong);
-		if (wrong)
-			fail_msg("%s", (const char *)wrong);
-	}
-	accel_device_free(device);
-	assert_int_equal(messages.count, 0);
+	share_check("drm:");
 }
 
 /* As examples/triangle.c does. */
