@@ -351,8 +351,8 @@ static void plug_in(void)
 
 struct job {
 	uint32_t *stream, *response;
-	uint32_t response_words;
 	uint64_t sequence;
+	uint32_t response_words;
 	bool submitted;
 };
 

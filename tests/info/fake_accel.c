@@ -38,7 +38,7 @@ int accel_device_new(const char *name, accel_message_fn message, void *data,
 	static struct accel_device device;
 
 	for (size_t i = 0; i < sizeof(answers) / sizeof(answers[0]); i++) {
-		if (strcmp(answers[i].name, name))
+		if (strcmp(answers[i].name, name) != 0)
 			continue;
 		if (answers[i].message)
 			message(data, answers[i].message);
@@ -82,9 +82,11 @@ int accel_device_list(accel_device_list_fn found, void *data)
 {
 	const char *what = getenv("FAKE_LIST");
 
+	if (!what)
+		return -EINVAL;
 	if (!strcmp(what, "error"))
 		return -ENOMEM;
-	if (strcmp(what, "none")) {
+	if (strcmp(what, "none") != 0) {
 		found(data, "drm:/dev/dri/renderD128", "Gloss PCI board");
 		found(data, "usb:1209:0001/" EVIL, EVIL);
 		found(data, "usb:", "");

@@ -46,7 +46,7 @@ static const struct table_field *find(const struct table_record *record, const c
 {
 	const struct table_field *field = record->fields;
 
-	while (strcmp(field->name, name))
+	while (strcmp(field->name, name) != 0)
 		field++;
 	return field;
 }
@@ -250,7 +250,7 @@ uint64_t grammar_turn(uint64_t number, enum grammar_kind kind)
 
 	for (uint32_t n = 0; n < KINDS; n++) {
 		turn += kinds[n] == kind;
-		before += kinds[n] == kind && n < number % KINDS;
+		before += n < number % KINDS && kinds[n] == kind;
 	}
 	return number / KINDS * turn + before;
 }

@@ -71,10 +71,13 @@ uint32_t grammar_reserved_bits(void)
 
 static bool set_reserved(struct grammar *g, uint64_t turn)
 {
+	const uint32_t bits = grammar_reserved_bits();
+	const struct table_record *record;
 	uint32_t word, bit, left;
-	const struct table_record *record =
-		find_reserved((uint32_t)(turn % grammar_reserved_bits()), &word, &bit, &left);
 
+	if (!bits)
+		return false;
+	record = find_reserved((uint32_t)(turn % bits), &word, &bit, &left);
 	for (uint32_t n = 0; n < g->records; n++) {
 		if (g->record[n].record != record)
 			continue;

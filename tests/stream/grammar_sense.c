@@ -274,7 +274,7 @@ void grammar_sense_part(struct grammar *g, const struct table_record *part, uint
 {
 	uint32_t first, last;
 
-	if (strncmp(part->name, "edges", 5))
+	if (strncmp(part->name, "edges", 5) != 0)
 		return;
 	first = grammar_get(g, part, at, "first_row");
 	last = grammar_get(g, part, at, "last_row");

@@ -37,6 +37,7 @@ static int run(struct libusb_transfer *public, const char *function)
 	if (context->handled && pthread_equal(context->handler, pthread_self()))
 		return LIBUSB_ERROR_BUSY;
 	public->callback = completed_set;
+	/* cppcheck-suppress autoVariables; it is not looked at once this has returned */
 	public->user_data = &completed;
 	err = fake_transfer_submit(public, function);
 	while (!err && !__atomic_load_n(&completed, __ATOMIC_ACQUIRE))
@@ -117,9 +118,12 @@ struct error_text {
 	const char *name, *text;
 };
 
+/* clang-format off */
+#define ERROR(name, text) { LIBUSB_##name, "LIBUSB_" #name, text }
+/* clang-format on */
+
 static const struct error_text *error_find(int error)
 {
-#define ERROR(name, text) { LIBUSB_##name, "LIBUSB_" #name, text }
 	static const struct error_text texts[] = {
 		ERROR(SUCCESS, "Success"),
 		ERROR(ERROR_IO, "Input/Output Error"),

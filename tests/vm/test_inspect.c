@@ -30,8 +30,10 @@ static void read_text(const char *path, char *text, size_t size)
 	FILE *file = fopen(path, "r");
 	size_t length;
 
-	if (!file)
+	if (!file) {
 		fail_msg("%s: %s", path, strerror(errno));
+		return;
+	}
 	length = fread(text, 1, size - 1, file);
 	text[length] = '\0';
 	fclose(file);

@@ -188,7 +188,7 @@ static void random_shapes_are_drawn_where_rays_meet_them(void **state)
 	f->twice = 0;
 	for (int n = 0; n < RANDOM_SHAPES; n++) {
 		float size = ldexpf(1, test_between(&seed, -2, 10));
-		struct parallelogram p;
+		struct parallelogram p = { .corner = { 0 } };
 		long now;
 
 		random_vector(&seed, p.corner, size);
