@@ -20,6 +20,12 @@ WARN     := -Wall -Wextra -Wmissing-prototypes -Wshadow -Wvla -Wformat=2
 ACCEL_CFLAGS := -std=gnu11 $(WARN) -ffp-contract=off -Ilibaccel
 
 comma := ,
+empty :=
+space := $(empty) $(empty)
+define newline
+
+
+endef
 
 ifeq ($(V),0)
 Q := @
@@ -91,13 +97,24 @@ $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' "$$TEXT" | cmp -s - $@ || printf '%s\n' "$$TEXT" >$@
 
-.PHONY: FORCE
+# How each C file is compiled, for clangd, which looks for it here, and for clang-tidy.
+command = {"directory": "$(CURDIR)", "file": "$(1)", "command": "$(subst ",\",$(strip $(CC) \
+	$(call flags,$(1)) $(CFLAGS) -c $(1)))"}
+$(BUILD)/compile_commands.json: $(BUILD)/flags FORCE
+	$(file >$@,[$(subst }$(space){,}$(comma)$(newline){,$(foreach source,$(C_SOURCES),$(call command,$(source))))])
+
+.PHONY: compile-commands FORCE
+##@ Building
+compile-commands: $(BUILD)/compile_commands.json ## write build/compile_commands.json, for clangd
+
 FORCE:
 
 C_SOURCES := $(wildcard $(addsuffix /*.c,libaccel libaccel/* libaccel/*/* tools/* tools/*/* tests/* \
 	tests/unit/* tests/vm/runner examples))
 -include $(foreach folder,$(sort $(dir $(C_SOURCES))),$(wildcard $(BUILD)/$(folder)*.d \
 	$(BUILD)/fuzz/*/$(folder)*.d))
+
+##@ Building
 
 .PHONY: all deps demo check unit lint install clean help
 
@@ -110,17 +127,28 @@ demo: ## draw the bunny on the Verilated core and on the model, and compare
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
 	$(Q)$(MAKE) --no-print-directory demo-run
 
+##@ Checking everything
+
 unit: $(UNIT_TESTS:%=run-%) ## unit tests of the library, the model and the tools
 
 check: ## all tests that need no hardware
 	$(Q)tests/check $(JOBS) $(BUILD) check-generated unit $(CHECKS) lint
 
-lint: $(LINTS) ## static checks: verilator -Wall, clang-tidy, cppcheck
+lint: $(LINTS) ## static checks: the lint- targets below
+
+##@ Building
 
 install: all $(INSTALLS) ## install library, headers, tools, man pages (PREFIX, DESTDIR)
 
 clean: ## remove everything that was built
 	$(Q)rm -rf $(BUILD)
 
+# In groups: a line "##@ NAME" begins one, or goes on with it.
 help: ## this list
-	$(Q)grep -hE '^[a-z][a-z-]*:.*## ' $(MAKEFILE_LIST) | sort | sed -E 's/^([a-z-]+):.*## /\1\t/' | expand -t 18
+	$(Q)awk 'FNR == 1 { group = "More" } sub(/^##@ /, "") { group = $$0 } \
+		match($$0, /^[a-z][a-z-]*:.*## /) { \
+			if (!(group in of)) order[++groups] = group; \
+			of[group] = of[group] sprintf("  %-18s %s\n", \
+				substr($$0, 1, index($$0, ":") - 1), substr($$0, RLENGTH + 1)) } \
+		END { for (n = 1; n <= groups; n++) \
+			printf("%s%s:\n%s", (n == 1) ? "" : "\n", order[n], of[order[n]]) }' $(MAKEFILE_LIST)

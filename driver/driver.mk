@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The kernel module gloss.ko, built outside its sources. KDIR is the kernel to build for and MODULE_BUILD the place; both
 # can be given, as tests/vm does for its own kernel.
+##@ Building
 
 ifndef KDIR
 KDIR := $(firstword $(wildcard /lib/modules/$(shell uname -r)/build) \

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Static checks, of which each is a target of its own: make -j lint runs them side by side.
+##@ Static checks
 
 # Each parameter at both its ends; the values between differ in nothing but width.
 LINT_CORES := 32-1-32 64-2-64 64-4-64 64-8-128 32-8-128
@@ -17,23 +18,19 @@ lint-rtl: ## verilator -Wall on the core and on the boards around it, at several
 		done; \
 	done
 
-LINT_SOURCES = $(sort $(wildcard libaccel/*.c libaccel/*/*.c libaccel/*/*/*.c \
-	tools/*.c tools/*/*.c tools/*/*/*.c examples/*.c))
-LINT_FLAGS = -std=gnu11 -Ilibaccel -Itools $(LINT_C)
-
-lint-tidy: check-generated ## clang-tidy on the C sources
-	$(call quiet,TIDY,libaccel tools)
+# All of C but the driver's, which has the kernel's tools below.
+lint-tidy: $(BUILD)/compile_commands.json check-generated ## clang-tidy on the C sources, tests too
+	$(call quiet,TIDY,libaccel tools tests)
 	@mkdir -p $(BUILD)/check
-	$(Q)clang-tidy --quiet $(LINT_SOURCES) -- $(LINT_FLAGS) 2>$(BUILD)/check/tidy.log || \
-		{ cat $(BUILD)/check/tidy.log; exit 1; }
+	$(Q)printf '%s\n' $(C_SOURCES) | xargs -P $(JOBS) -n 8 clang-tidy --quiet -p $(BUILD) \
+		2>$(BUILD)/check/tidy.log || { cat $(BUILD)/check/tidy.log; exit 1; }
 
 # Version 2.17 says of each file that it looks at some branches only. So does 2.10, silently.
-lint-cppcheck: check-generated ## cppcheck on the C sources
-	$(call quiet,CPPCHECK,libaccel tools)
-	$(Q)cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-		--error-exitcode=1 -Ilibaccel -Itools -Idriver --suppress=missingIncludeSystem \
-		--suppress=normalCheckLevelMaxBranches \
-		$(LINT_SOURCES)
+lint-cppcheck: check-generated ## cppcheck on the C sources, tests too
+	$(call quiet,CPPCHECK,libaccel tools tests)
+	$(Q)cppcheck -j $(JOBS) --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
+		--error-exitcode=1 -Ilibaccel -Idriver $(filter -I%,$(FLAGS_tests)) \
+		--suppress=missingIncludeSystem --suppress=normalCheckLevelMaxBranches $(C_SOURCES)
 
 LINTS += lint-rtl lint-tidy lint-cppcheck
 

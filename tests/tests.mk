@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What spans more than one part of the tree.
+##@ Checking everything
 
 # Tests find each other's helpers.
 FLAGS_tests := -Itools -Idriver -pthread $(addprefix -Itests/,unit stream port usb)

@@ -2,6 +2,7 @@
 # The Verilated core as plugins of "sim:", by tile size and lanes; each has the stream port
 # that its lanes need, or the one in a third part of its name (t64-k8-s32). SIM_CORES are those
 # that `make all` builds and `make install` installs.
+##@ Building
 SIM_CORES ?= t64-k8
 SIM_CORES_ALL := t64-k1 t64-k2 t64-k4 t64-k8 t32-k1 t32-k2 t32-k4 t32-k8
 SIM_STREAM_BITS := 1:32 2:64 4:64 8:128

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Figures. A benchmark is a target that writes "name value" lines to build/bench/NAME.txt and is
 # added to BENCHES; they run one after the other. docs/figures.md says what each name means.
+##@ Pictures and figures
 
 BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_setup bench_shade)
 BENCHES += bench-shade bench-setup bench-load nmse

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What documents say, where a program can tell whether it is true.
+##@ Documents
 
 .PHONY: test-version test-links test-drawings test-docs test-guide print-version
 test-version: ## one version everywhere: that of the file VERSION

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Any bytes as a stream: the model and the decoder under libFuzzer, which takes clang.
+##@ Fuzzing
 
 FUZZ_SECONDS ?= 60
 FUZZ_RUNS    ?= 60000

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The draw level: frames of anything, on the model, under the compiler's checks.
+##@ Fuzzing
 
 FUZZ_DRAW_FRAMES ?= 100000
 FUZZ_DRAW_SHORT  ?= 10000

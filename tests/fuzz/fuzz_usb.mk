@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Hostile boards on USB: the whole of "usb:" on the libusb of tests/usb, and its parser alone.
+##@ Fuzzing
 
 ifneq ($(USB_LIBS),)
 FUZZ_USB_INSIDE := tests/fuzz/fuzz_usb.c $(USB_SOURCES) $(addprefix libaccel/transport/, transport.c \

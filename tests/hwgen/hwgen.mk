@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What hwgen writes, and what it refuses.
+##@ The interface
 
 $(BUILD)/tests/hwgen/test_small: $(BUILD)/tests/hwgen/test_small.o
 

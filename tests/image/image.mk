@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Pictures: how good they are, and that they do not change.
+##@ Pictures and figures
 
 MODELS ?= /usr/share/glmark2/models
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # gloss-info as a stranger meets it, and the udev rule.
+##@ Library and tools
 
 # gloss-info on boards that no machine has.
 $(BUILD)/tests/info/fake: private LIBS :=

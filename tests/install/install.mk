@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What is installed is enough to build and run programs; the module's other ways to be built.
+##@ Library and tools
 
 .PHONY: test-install test-readme check-dkms check-kbuild
 test-install: lib $(ACCEL_SIMS) ## install the library to a directory, and use it from there

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Hosts for boards and an engine for ports, as the tests need them; and boards against each other.
+##@ RTL against the model
 
 PORT_HOST_OBJ := $(BUILD)/tests/port/port_host.o
 USB_HOST_OBJ := $(BUILD)/tests/port/usb_host.o

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Benches of the command stage and of the streams in rtl/lib; figures of the core.
+##@ RTL
 
 # Words that each of rtl/lib's streams holds.
 LIB_STREAMS := stream_register-2 stream_fifo-8 ram_fifo-65
@@ -56,6 +57,7 @@ $(BUILD)/tests/bench/bench_core: private LIBS := -ldl
 $(BUILD)/tests/bench/bench_core: $(BUILD)/tests/bench/bench_core.o
 	$(link)
 
+##@ Pictures and figures
 .PHONY: bench-core check-speed
 bench-core: $(BUILD)/tests/bench/bench_core $(BENCH_CORES) ## pixels a clock, clocks a triangle, hidden transfers
 	$(Q)$(call keep_figures,core,$< $(BENCH_CORES))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Benches of the ports, and refused parameters.
+##@ RTL
 
 # Each port alone, at each width of its own, one without counters of clocks; port_gate alone.
 PORT_CORES := 32-1-32 64-4-64-0 64-8-128

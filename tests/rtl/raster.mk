@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Benches of raster and shade, and what the core takes on real devices.
+##@ RTL
 
 RASTER_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/raster/*.sv rtl/shade/*.sv)) \
 	rtl/lib/stream_fifo.sv
@@ -67,6 +68,7 @@ rtl-raster-all: $(RASTER_ALL_BENCHES) ## the same for every core that is built, 
 
 CHECKS += rtl-raster rtl-raster-read
 
+##@ Pictures and figures
 .PHONY: synth synth-stage
 synth: ## size and clock on three FPGA families (half an hour of processor time); build/synth.json
 	$(Q)tests/synth/synth.py $(BUILD) $(JOBS)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Benches of fragment, tile and memory.
+##@ RTL
 
 # The corners of the parameters for every check, all that are built in the longer target.
 TILE_CORES := 32-1 64-1 32-8 64-8

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A second generator, from the table of rtl/gloss.xml; and the same jobs to boards on USB.
 # make check has what reaches every packet, opcode and reserved bit on a core, and some of it on a board.
+##@ RTL against the model
 GRAMMAR_JOBS  ?= 50000
 $(BUILD)/tests/stream/test_grammar: private LIBS := -ldl
 $(BUILD)/tests/stream/test_grammar: $(addprefix $(BUILD)/tests/stream/, grammar.o grammar_sense.o \

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Whole jobs, model against RTL, other ones each time. 200 groups are 2,000 valid and 400 damaged jobs for
 # each core; before a change of the core lands, make stream STREAM_GROUPS=1000 or more.
+##@ RTL against the model
 
 STREAM_GROUPS ?= 200
 # Random jobs, for whoever compares engines.

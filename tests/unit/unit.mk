@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Unit tests in C. A test lies in a folder as what it tests, may use, or include, any part of the
 # library, and has a name of its own: make run-NAME runs it.
+##@ Library and tools
 
 UNIT_SOURCES := $(wildcard tests/unit/*/test_*.c tests/usb/test_*.c)
 UNIT_PROGRAMS := $(UNIT_SOURCES:%.c=$(BUILD)/%)
@@ -169,3 +170,14 @@ unit-valgrind: $(call unit,$(VALGRIND_TESTS)) $(FAKE_SIMS)
 	done
 
 CHECKS += unit-sanitize unit-thread unit-valgrind
+
+# Which lines these tests run, as a table and as pages. Wrapped allocators would count gcov's, too.
+COVERED_TESTS = $(filter-out test_symbols test_sim_wrapper %_out_of_memory,$(filter test_%,$(UNIT_TESTS))) \
+	decode hwgen
+.PHONY: coverage
+coverage: $(ACCEL_TEST_SIMS) ## lines that the unit tests run: build/coverage/report/index.html
+	$(Q)find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
+	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/coverage CFLAGS='-O0 -g --coverage' $(COVERED_TESTS:%=run-%)
+	$(Q)mkdir -p $(BUILD)/coverage/report
+	$(Q)gcovr --root . --filter libaccel/ --filter tools/ --object-directory $(BUILD)/coverage \
+		--html-details $(BUILD)/coverage/report/index.html --txt --print-summary $(BUILD)/coverage

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # "usb:" on a libusb of our own, with boards on the C model: see tests/usb/fake_usb.h.
+##@ RTL against the model
 
 # A test that links FAKE_USB_OBJS, and wraps these names, leaves the real libusb out.
 FAKE_USB_OBJS := $(addprefix $(BUILD)/tests/usb/, fake_usb.o fake_usb_bridge.o fake_usb_channel.o \

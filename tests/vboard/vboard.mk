@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # vboard-pci and vboard-usb as a stranger meets them.
+##@ Library and tools
 
 .PHONY: vboard vboard-sanitize
 vboard: $(BUILD)/vboard-pci $(BUILD)/vboard-usb ## messages and exit codes of vboard-pci and vboard-usb

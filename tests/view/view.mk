@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The demo, gloss-view as a stranger meets it, and tests of its parts.
+##@ Library and tools
 
 .PHONY: demo-run view view-window
 demo-run: $(BUILD)/gloss-view $(SIM_DIR)/accel-sim-t64-k8.so

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Tests in a virtual machine: a Debian kernel, the module, and four virtual boards. See README.md.
 # KERNEL: which kernels, such as 6.12; all of tests/vm/kernels if not given.
+##@ In a virtual machine
 
 # A test program: tests/vm/NAME.c (or .sh) makes $(BUILD)/tests/vm/NAME. The list it runs from has
 # WHO:NAME[:SECONDS], WHO root or user; fragments of single tests add theirs.

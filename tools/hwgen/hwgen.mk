@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # hwgen and what it makes.
+##@ The interface
 
 HWGEN := $(BUILD)/hwgen
 HWGEN_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(sort $(wildcard tools/hwgen/*.c)))
