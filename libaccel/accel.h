@@ -83,6 +83,7 @@ extern "C" {
  *
  * In C++ it has none, and they are set after that: accel_light lamp = ACCEL_LIGHT();
  */
+/* clang-format off */
 #ifdef __cplusplus
 extern "C++" {
 template <typename type> inline type accel_sized()
@@ -97,6 +98,7 @@ template <typename type> inline type accel_sized()
 #else
 #define ACCEL_SIZED(type, ...) { .size = sizeof(struct type), __VA_ARGS__ }
 #endif
+/* clang-format on */
 
 #define ACCEL_LIGHTS 8
 #define ACCEL_TARGET_SIZE_MAX 2048

@@ -158,7 +158,7 @@ static void check_claim(struct fake_transfer *transfer, const char *function)
 static bool has_memory(const struct libusb_transfer *public)
 {
 	return !fake.memory_limit ||
-	       fake.bytes_in_flight + (size_t)public->length <= fake.memory_limit;
+	       fake.bytes_in_flight + (size_t)(public->length) <= fake.memory_limit;
 }
 
 static void count_depth(const struct fake_list *list, unsigned int *most)
@@ -191,7 +191,7 @@ int fake_transfer_submit(struct libusb_transfer *public, const char *function)
 		fake.hurry = true;
 		return LIBUSB_ERROR_NO_MEM;
 	}
-	fake.bytes_in_flight += (size_t)public->length;
+	fake.bytes_in_flight += (size_t)(public->length);
 	public->actual_length = 0;
 	transfer->cancelled = transfer->lost = false;
 	transfer->deadline = public->timeout ? fake_usb_now_ns() + public->timeout * NS_PER_MS :
@@ -278,7 +278,7 @@ static void transfer_call(struct fake_transfer *transfer)
 
 	list_remove(&fake.ended, transfer);
 	transfer->state = FAKE_IDLE;
-	fake.bytes_in_flight -= (size_t)public->length;
+	fake.bytes_in_flight -= (size_t)(public->length);
 	fake_usb.in_flight--;
 	fake_usb.callbacks++;
 	if (flags & LIBUSB_TRANSFER_SHORT_NOT_OK)

@@ -92,8 +92,10 @@ struct row {
 };
 
 #define AT(field) offsetof(struct client_job, field), sizeof(((struct client_job *)0)->field)
+/* clang-format off */
 #define SET(field, value) { AT(field), VALUE, value }
 #define SET_TO(field, thing) { AT(field), thing, 0 }
+/* clang-format on */
 
 static void apply(struct client_job *job, const struct row *row)
 {

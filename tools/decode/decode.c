@@ -9,7 +9,7 @@
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-static void __attribute__((format(printf, 4, 5)))
+__attribute__((format(printf, 4, 5))) static void
 fail(struct decode_packet *packet, enum gloss_fault fault, unsigned int word, const char *format,
      ...)
 {

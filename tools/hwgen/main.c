@@ -22,9 +22,11 @@ static const char usage[] =
 	"  --manual FILE  the manual, in Markdown\n";
 
 /* Everything hw_alloc gave out, so that a leak checker finds it. */
-static struct block {
+struct block {
 	struct block *next;
-} *blocks;
+};
+
+static struct block *blocks;
 
 void hw_fail(const char *path, unsigned long line, const char *format, ...)
 {

@@ -22,7 +22,7 @@ struct scope {
 	struct name *names;
 };
 
-static void __attribute__((format(printf, 3, 4)))
+__attribute__((format(printf, 3, 4))) static void
 claim(struct scope *scope, unsigned long line, const char *format, ...)
 {
 	struct name *name = hw_alloc(sizeof(*name) + 2 * HW_NAME_MAX);

@@ -246,7 +246,7 @@ struct terms {
 	char text[2 * 32 + 1][192];
 };
 
-static void __attribute__((format(printf, 2, 3)))
+__attribute__((format(printf, 2, 3))) static void
 add_term(struct terms *terms, const char *format, ...)
 {
 	va_list arguments;

@@ -3,8 +3,10 @@
 #include "accel_test.h"
 #include "model/model.h"
 
+/* clang-format off */
 #define HEADER(geometry, shading) \
 	{ GLOSS_GEOMETRY_##geometry, GLOSS_SHADING_##shading, .alpha = 0x80 }
+/* clang-format on */
 
 static void assert_edge(const struct model_edge *edge, int x, int step, unsigned int r,
 			unsigned int m, unsigned int dy)

@@ -182,9 +182,11 @@ static void a_child_is_refused_and_frees_what_it_has(void **state)
 	assert_device_works();
 }
 
+/* clang-format off */
 #define both(name)                                                                                 \
 	{ #name " (model:)", name, setup_model, teardown, NULL },                                  \
 	{ #name " (usb:)", name, setup_usb, teardown, NULL }
+/* clang-format on */
 
 int main(void)
 {

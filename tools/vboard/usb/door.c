@@ -16,7 +16,10 @@
 #define WORK_NS 200000
 
 /* Where an endpoint is in a table of them. */
-#define TABLE_INDEX(endpoint) (((endpoint) & 0x80) >> 3 | ((endpoint) & 0x0f))
+static int door_table_index(int endpoint)
+{
+	return (endpoint & 0x80) >> 3 | (endpoint & 0x0f);
+}
 
 /* ---- bytes ---- */
 
@@ -98,13 +101,13 @@ static void door_tell_endpoints(struct vboard_usb *usb)
 
 	for (int i = 0; i < 32; i++)
 		info.type[i] = usb_redir_type_invalid;
-	info.type[TABLE_INDEX(0x00)] = usb_redir_type_control;
-	info.type[TABLE_INDEX(0x80)] = usb_redir_type_control;
-	info.max_packet_size[TABLE_INDEX(0x00)] = control;
-	info.max_packet_size[TABLE_INDEX(0x80)] = control;
+	info.type[door_table_index(0x00)] = usb_redir_type_control;
+	info.type[door_table_index(0x80)] = usb_redir_type_control;
+	info.max_packet_size[door_table_index(0x00)] = control;
+	info.max_packet_size[door_table_index(0x80)] = control;
 	vboard_usb_endpoints(list, usb->super);
 	for (int i = 0; i < VBOARD_USB_ENDPOINTS; i++) {
-		int at = TABLE_INDEX(list[i].address);
+		int at = door_table_index(list[i].address);
 
 		info.type[at] = list[i].interrupt ? usb_redir_type_interrupt : usb_redir_type_bulk;
 		info.interval[at] = list[i].interval;
