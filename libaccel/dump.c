@@ -29,7 +29,7 @@
 #define DUMP_CHUNK_WORDS 65535u
 
 struct accel_dump {
-	atomic_bool failed;		/* and a message has said so */
+	atomic_bool failed; /* and a message has said so */
 	char folder[];
 };
 
@@ -37,9 +37,9 @@ struct accel_dump {
 struct dump_job {
 	struct accel_device *device;
 	const struct accel_transport_job *job;
-	struct accel_buffer *const *buffer;	/* of each slot */
+	struct accel_buffer *const *buffer; /* of each slot */
 	unsigned int number;
-	char path[PATH_MAX];		/* of the file that is written */
+	char path[PATH_MAX]; /* of the file that is written */
 };
 
 static atomic_uint dump_jobs;
@@ -100,8 +100,8 @@ static int dump_text(struct dump_job *dump)
 
 	if (err)
 		return err;
-	written = fprintf(file, "gloss job 1\nboard: %s\ntile: %u\n", info->name,
-			  info->tile_size) > 0 &&
+	written = fprintf(file, "gloss job 1\nboard: %s\ntile: %u\n", info->name, info->tile_size) >
+			  0 &&
 		  fprintf(file, "stream: %u words\nresponse: %u words\n", job->stream_words,
 			  job->response_words) > 0;
 	for (unsigned int i = 0; i < job->slots && written; i++)
@@ -179,7 +179,8 @@ static void dump_files(struct dump_job *dump)
 		err = dump_slots(dump);
 	if (!err || atomic_exchange(&dump->device->dump->failed, true))
 		return;
-	accel_device_message(dump->device, "ACCEL_DUMP: %s: %s; no more jobs of this device are "
+	accel_device_message(dump->device,
+			     "ACCEL_DUMP: %s: %s; no more jobs of this device are "
 			     "written: name a folder that can be written to and has room",
 			     dump->path, strerror(-err));
 }
@@ -189,7 +190,8 @@ void accel_dump_job(struct accel_device *device, const struct accel_transport_jo
 {
 	int held;
 
-	if (!device->dump || atomic_load(&device->dump->failed) || accel_device_is_inherited(device))
+	if (!device->dump || atomic_load(&device->dump->failed) ||
+	    accel_device_is_inherited(device))
 		return;
 	held = accel_thread_hold_cancel();
 	dump_files(&(struct dump_job){

@@ -12,16 +12,16 @@
 
 /* A range of board memory a stream may name. A size of 0 is an empty slot. */
 struct gloss_slot {
-	uint32_t base;			/* byte address in board memory, multiple of 4096 */
-	uint32_t size;			/* bytes */
+	uint32_t base; /* byte address in board memory, multiple of 4096 */
+	uint32_t size; /* bytes */
 	enum gloss_rights rights;
 };
 
 struct accel_job {
 	const uint32_t *stream;
 	uint32_t stream_words;
-	uint32_t *response;		/* may be NULL if response_words is 0 */
-	uint32_t response_words;	/* room, in words */
+	uint32_t *response;      /* may be NULL if response_words is 0 */
+	uint32_t response_words; /* room, in words */
 	struct gloss_slot slot[GLOSS_SLOTS];
 };
 

@@ -35,8 +35,10 @@ int accel_sized_in(void *own, size_t known, const void *given)
 void accel_sized_message(struct accel_device *device, const char *what, const char *macro, int err)
 {
 	if (err == -E2BIG)
-		accel_device_message(device, "a %s with more than libaccel %s knows: the program "
-				     "needs a newer library", what, accel_version());
+		accel_device_message(device,
+				     "a %s with more than libaccel %s knows: the program "
+				     "needs a newer library",
+				     what, accel_version());
 	else
 		accel_device_message(device, "a %s whose size is not set: begin it with %s()", what,
 				     macro);

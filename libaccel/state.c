@@ -12,21 +12,20 @@
 #define SPOT_NONE 180.0f
 
 static const float identity[16] = {
-	1, 0, 0, 0,
-	0, 1, 0, 0,
-	0, 0, 1, 0,
-	0, 0, 0, 1,
+	1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,
 };
 
-static const struct accel_material default_material =
-	ACCEL_MATERIAL(.emission = { 0, 0, 0, 1 }, .ambient = { 0.2f, 0.2f, 0.2f, 1 },
-		       .diffuse = { 0.8f, 0.8f, 0.8f, 1 }, .specular = { 0, 0, 0, 1 });
+static const struct accel_material default_material = ACCEL_MATERIAL(
+		.emission = { 0, 0, 0, 1 }, .ambient = { 0.2f, 0.2f, 0.2f, 1 },
+		.diffuse = { 0.8f, 0.8f, 0.8f, 1 }, .specular = { 0, 0, 0, 1 });
 
-static const struct accel_light default_light =
-	ACCEL_LIGHT(.position = { 0, 0, 1, 0 }, .ambient = { 0, 0, 0, 1 },
-		    .diffuse = { 0, 0, 0, 1 }, .specular = { 0, 0, 0, 1 },
-		    .attenuation = { 1, 0, 0 }, .spot_direction = { 0, 0, -1 },
-		    .spot_cutoff = SPOT_NONE);
+static const struct accel_light default_light = ACCEL_LIGHT(.position = { 0, 0, 1, 0 },
+							    .ambient = { 0, 0, 0, 1 },
+							    .diffuse = { 0, 0, 0, 1 },
+							    .specular = { 0, 0, 0, 1 },
+							    .attenuation = { 1, 0, 0 },
+							    .spot_direction = { 0, 0, -1 },
+							    .spot_cutoff = SPOT_NONE);
 
 static const float white[4] = { 1, 1, 1, 1 };
 

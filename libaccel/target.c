@@ -14,8 +14,7 @@ static uint32_t target_align(int pixels)
 	       ACCEL_TARGET_ALIGN;
 }
 
-int accel_target_new(struct accel_device *device, int width, int height,
-		     struct accel_target **out)
+int accel_target_new(struct accel_device *device, int width, int height, struct accel_target **out)
 {
 	struct accel_target *target;
 	uint64_t size;
@@ -72,11 +71,13 @@ static int target_check(const struct accel_target *target, enum accel_plane plan
 		return -EINVAL;
 	}
 	if (part->x < 0 || part->x > target->width || part->y < 0 || part->y > target->height ||
-	    part->width < 0 || part->width > target->width - part->x ||
-	    part->height < 0 || part->height > target->height - part->y) {
-		accel_device_message(target->device, "%d x %d pixels at %d, %d of a target of "
-				     "%d x %d", part->width, part->height, part->x, part->y,
-				     target->width, target->height);
+	    part->width < 0 || part->width > target->width - part->x || part->height < 0 ||
+	    part->height > target->height - part->y) {
+		accel_device_message(target->device,
+				     "%d x %d pixels at %d, %d of a target of "
+				     "%d x %d",
+				     part->width, part->height, part->x, part->y, target->width,
+				     target->height);
 		return -EINVAL;
 	}
 	if (pitch < (size_t)part->width * 4 || pitch % 4) {
@@ -125,6 +126,6 @@ int accel_target_read(struct accel_target *target, enum accel_plane plane,
 	if (err || !part->width || !part->height)
 		return err;
 	return target_read_part(target,
-				plane == ACCEL_PLANE_COLOUR ? target->colour : target->depth,
-				part, pixels, pitch);
+				plane == ACCEL_PLANE_COLOUR ? target->colour : target->depth, part,
+				pixels, pitch);
 }

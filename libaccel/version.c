@@ -6,6 +6,6 @@
 
 const char *accel_version(void)
 {
-	return TEXT(ACCEL_VERSION_MAJOR) "." TEXT(ACCEL_VERSION_MINOR) "."
-	       TEXT(ACCEL_VERSION_PATCH);
+	return TEXT(ACCEL_VERSION_MAJOR) "." TEXT(ACCEL_VERSION_MINOR) "." TEXT(
+		ACCEL_VERSION_PATCH);
 }

@@ -107,7 +107,7 @@ static int bin_tile_grow(struct accel_bin *bin, struct accel_tile *tile)
 }
 
 static int bin_tile_put(struct accel_bin *bin, struct accel_tile *tile, const uint32_t *words,
-		    uint32_t count)
+			uint32_t count)
 {
 	tile->words += count;
 	while (count) {
@@ -145,7 +145,7 @@ uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now
 
 /* Puts the packets that make @state of what the tile has now. */
 static int bin_tile_state(struct accel_bin *bin, struct accel_tile *tile,
-		      const struct accel_tile_state *state)
+			  const struct accel_tile_state *state)
 {
 	uint32_t words[4], count;
 
@@ -176,8 +176,8 @@ uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)
 {
 	uint32_t words[1 + GLOSS_SCISSOR_WORDS];
 
-	gloss_scissor_pack(words, &(struct gloss_scissor){ (uint32_t)x0, (uint32_t)y0,
-							   (uint32_t)x1, (uint32_t)y1 });
+	gloss_scissor_pack(words, &(struct gloss_scissor){ (uint32_t)x0, (uint32_t)y0, (uint32_t)x1,
+							   (uint32_t)y1 });
 	return words[1];
 }
 
@@ -187,31 +187,33 @@ static uint32_t bin_tile_scissor(const struct accel_bin *bin, int x, int y)
 	const struct accel_bounds *visible = &bin->visible;
 	int size = bin->tile_size;
 
-	return accel_bin_scissor(number_clamp(visible->x0 - x, 0, size), number_clamp(visible->y0 - y, 0, size),
-				 visible->x1 == bin->width ? size : number_clamp(visible->x1 - x, 0, size),
-				 visible->y1 == bin->height ? size :
-							      number_clamp(visible->y1 - y, 0, size));
+	return accel_bin_scissor(
+		number_clamp(visible->x0 - x, 0, size), number_clamp(visible->y0 - y, 0, size),
+		visible->x1 == bin->width ? size : number_clamp(visible->x1 - x, 0, size),
+		visible->y1 == bin->height ? size : number_clamp(visible->y1 - y, 0, size));
 }
 
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 		     const struct accel_bounds *visible)
 {
-	gloss_depth_state_pack(&bin->state.depth_state, &(struct gloss_depth_state){
-		.func = (enum gloss_compare)state->depth_func,
-		.write = state->depth_write,
-	});
+	gloss_depth_state_pack(&bin->state.depth_state,
+			       &(struct gloss_depth_state){
+				       .func = (enum gloss_compare)state->depth_func,
+				       .write = state->depth_write,
+			       });
 	gloss_colour_mask_pack(&bin->state.colour_mask, &(struct gloss_colour_mask){
-		.red = state->colour_mask[0],
-		.green = state->colour_mask[1],
-		.blue = state->colour_mask[2],
-		.alpha = state->colour_mask[3],
-	});
+								.red = state->colour_mask[0],
+								.green = state->colour_mask[1],
+								.blue = state->colour_mask[2],
+								.alpha = state->colour_mask[3],
+							});
 	bin->visible = *visible;
 }
 
 /* Puts a record and, before it, the state it needs. */
 static int bin_tile_record(struct accel_bin *bin, struct accel_tile *tile,
-		       const struct accel_tile_state *state, const uint32_t *words, uint32_t count)
+			   const struct accel_tile_state *state, const uint32_t *words,
+			   uint32_t count)
 {
 	int err = bin_tile_state(bin, tile, state);
 
@@ -224,16 +226,16 @@ static int bin_tile_record(struct accel_bin *bin, struct accel_tile *tile,
 
 /* Clears a tile that was drawn on already, by drawing. */
 static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
-		      const struct accel_tile_clear *clear)
+			  const struct accel_tile_clear *clear)
 {
 	bool colour = clear->mask & ACCEL_CLEAR_COLOUR, depth = clear->mask & ACCEL_CLEAR_DEPTH;
 	uint32_t words[ACCEL_RECORD_WORDS], count;
 	struct accel_tile_state state;
 
 	gloss_depth_state_pack(&state.depth_state, &(struct gloss_depth_state){
-		.func = GLOSS_COMPARE_ALWAYS,
-		.write = depth,
-	});
+							   .func = GLOSS_COMPARE_ALWAYS,
+							   .write = depth,
+						   });
 	gloss_colour_mask_pack(&state.colour_mask,
 			       &(struct gloss_colour_mask){ colour, colour, colour, colour });
 	state.scissor = accel_bin_scissor(0, 0, bin->tile_size, bin->tile_size);
@@ -286,10 +288,10 @@ static bool bin_band_covers(const struct band *band, int x0, int x1, int size)
 
 /* Draws the part of the band that lies in the tile; rows of it that have no pixel are left off. */
 static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *triangle,
-		     const struct band *band, int x, int y)
+			 const struct band *band, int x, int y)
 {
-	struct accel_tile *tile =
-		&bin->tile[y / bin->tile_size * bin->columns + x / bin->tile_size];
+	struct accel_tile
+		*tile = &bin->tile[y / bin->tile_size * bin->columns + x / bin->tile_size];
 	int x0 = number_max(bin->visible.x0, x);
 	int x1 = number_min(bin->visible.x1, x + bin->tile_size);
 	struct accel_place place = { x, y, bin->tile_size, band->first, band->end, false, NULL };
@@ -312,7 +314,7 @@ static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *tri
 }
 
 static int bin_band_draw(struct accel_bin *bin, const struct accel_triangle *triangle,
-		     const struct band *band)
+			 const struct band *band)
 {
 	int left = bin->visible.x1, right = bin->visible.x0, size = bin->tile_size;
 	int err = 0;

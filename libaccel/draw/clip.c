@@ -64,8 +64,7 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 			 struct accel_wide da, struct accel_wide db, struct accel_corner *corner)
 {
 	const struct accel_vertex *a = &inside->vertex, *b = &outside->vertex;
-	struct accel_wide t =
-		accel_wide_divide(da, accel_wide_add(da, accel_wide_negative(db)));
+	struct accel_wide t = accel_wide_divide(da, accel_wide_add(da, accel_wide_negative(db)));
 	float s = (float)t.high;
 
 	for (int i = 0; i < 4; i++) {
@@ -76,7 +75,7 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 		corner->clip[i] = way.high;
 		corner->rest[i] = way.low;
 		corner->vertex.sample.colour[i] = a->sample.colour[i] +
-			s * (b->sample.colour[i] - a->sample.colour[i]);
+						  s * (b->sample.colour[i] - a->sample.colour[i]);
 	}
 	for (int i = 0; i < 3; i++) {
 		corner->vertex.eye[i] = a->eye[i] + s * (b->eye[i] - a->eye[i]);

@@ -49,7 +49,7 @@
 #define ACCEL_COLOUR_MAX 1.99f
 
 struct accel_bounds {
-	int x0, y0, x1, y1;		/* pixels; x1 and y1 are outside */
+	int x0, y0, x1, y1; /* pixels; x1 and y1 are outside */
 };
 
 /* ---- vertices ---- */
@@ -57,10 +57,10 @@ struct accel_bounds {
 /* Bits of accel_vertex.outside: on the wrong side of a plane. */
 enum accel_outside {
 	/* To be clipped off; bit i is plane i of accel_geometry_distance. */
-	ACCEL_OUTSIDE_EYE = 1 << 0,	/* w is not positive */
+	ACCEL_OUTSIDE_EYE = 1 << 0, /* w is not positive */
 	ACCEL_OUTSIDE_NEAR = 1 << 1,
 	ACCEL_OUTSIDE_FAR = 1 << 2,
-	ACCEL_OUTSIDE_GUARD_LEFT = 1 << 3,	/* farther than coordinates reach */
+	ACCEL_OUTSIDE_GUARD_LEFT = 1 << 3, /* farther than coordinates reach */
 	ACCEL_OUTSIDE_GUARD_RIGHT = 1 << 4,
 	ACCEL_OUTSIDE_GUARD_TOP = 1 << 5,
 	ACCEL_OUTSIDE_GUARD_BOTTOM = 1 << 6,
@@ -75,32 +75,32 @@ enum accel_outside {
 
 /* Light at a point of a surface, and what tells how it may change around it. */
 struct accel_sample {
-	float colour[4];		/* 0 to ACCEL_COLOUR_MAX, alpha to 1 */
-	float shine;			/* largest cosine between the normal and a half vector */
-	float near;			/* 1/distance^2 of the nearest of viewer and lamps */
-	float near_lamp;		/* the same of lamps alone */
-	uint8_t facing;			/* bit i: light i is above the surface */
-	uint8_t in_cone;		/* bit i: the point is in the cone of light i */
+	float colour[4]; /* 0 to ACCEL_COLOUR_MAX, alpha to 1 */
+	float shine;     /* largest cosine between the normal and a half vector */
+	float near;      /* 1/distance^2 of the nearest of viewer and lamps */
+	float near_lamp; /* the same of lamps alone */
+	uint8_t facing;  /* bit i: light i is above the surface */
+	uint8_t in_cone; /* bit i: the point is in the cone of light i */
 };
 
 struct accel_vertex {
-	int32_t x, y;			/* window, y down, ACCEL_WINDOW_BITS fraction bits */
-	float w;			/* of clip space, for perspective */
-	uint32_t outside;		/* of enum accel_outside; x, y, w, z need all CLIP bits 0 */
-	double z;			/* of the window, 0 to 1 */
+	int32_t x, y;     /* window, y down, ACCEL_WINDOW_BITS fraction bits */
+	float w;          /* of clip space, for perspective */
+	uint32_t outside; /* of enum accel_outside; x, y, w, z need all CLIP bits 0 */
+	double z;         /* of the window, 0 to 1 */
 	float eye[3];
-	float normal[3];		/* eye space; unit at a mesh's vertices, linear between */
-	float paint[4];			/* the mesh's colour, where it is the material's; else 1 */
-	int level;			/* splits that made it, up to ACCEL_SPLIT_LEVELS */
-	unsigned int sampled;		/* 0 no, 1 as front, 2 as back side */
+	float normal[3];      /* eye space; unit at a mesh's vertices, linear between */
+	float paint[4];       /* the mesh's colour, where it is the material's; else 1 */
+	int level;            /* splits that made it, up to ACCEL_SPLIT_LEVELS */
+	unsigned int sampled; /* 0 no, 1 as front, 2 as back side */
 	struct accel_sample sample;
 };
 
 /* What of an edge both its triangles use. */
 struct accel_edge {
-	struct accel_sample middle;	/* at the screen midpoint, if sampled */
-	float colour[3];		/* there, as surfaces take it */
-	float spread;			/* about the square of the angle between the end normals */
+	struct accel_sample middle; /* at the screen midpoint, if sampled */
+	float colour[3];            /* there, as surfaces take it */
+	float spread;               /* about the square of the angle between the end normals */
 	bool sampled, curved, split;
 };
 
@@ -116,10 +116,10 @@ enum accel_attribute { ACCEL_ATTRIBUTE_POSITION, ACCEL_ATTRIBUTE_NORMAL, ACCEL_A
 
 /* How an array is read. */
 struct accel_fetch {
-	const uint8_t *data;		/* NULL: there is none */
-	size_t step;			/* bytes from an element to the next */
+	const uint8_t *data; /* NULL: there is none */
+	size_t step;         /* bytes from an element to the next */
 	uint8_t components;
-	bool bytes;			/* instead of floats, 255 is 1 */
+	bool bytes; /* instead of floats, 255 is 1 */
 };
 
 /* -EINVAL: an array that is not read, and a message says why. */
@@ -132,13 +132,13 @@ void accel_fetch_element(const struct accel_fetch *fetch, uint32_t number, float
 
 /* Clip space to the window. */
 struct accel_window {
-	double scale[3], offset[3];	/* window = scale * ndc + offset */
-	double guard[4];		/* left, right, top, bottom, pixels */
-	struct accel_bounds visible;	/* viewport, scissor and target */
+	double scale[3], offset[3];  /* window = scale * ndc + offset */
+	double guard[4];             /* left, right, top, bottom, pixels */
+	struct accel_bounds visible; /* viewport, scissor and target */
 };
 
 struct accel_transform {
-	double clip[16], eye[16], normal[9];	/* column by column */
+	double clip[16], eye[16], normal[9]; /* column by column */
 	struct accel_window window;
 };
 
@@ -153,15 +153,14 @@ int accel_geometry_vertex(const struct accel_transform *transform, const float p
 void accel_geometry_project(const struct accel_window *window, const double clip[4],
 			    struct accel_vertex *vertex);
 /* Distance of @clip from a plane, positive inside; linear in @clip. */
-double accel_geometry_distance(const struct accel_window *window, int plane,
-			       const double clip[4]);
+double accel_geometry_distance(const struct accel_window *window, int plane, const double clip[4]);
 
 /* ---- clip.c ---- */
 
 #define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_PLANES + 1)
 
 struct accel_corner {
-	double clip[4], rest[4];	/* rest: what clip is short of */
+	double clip[4], rest[4]; /* rest: what clip is short of */
 	struct accel_vertex vertex;
 };
 
@@ -181,32 +180,32 @@ int accel_clip_apex(const struct accel_corner *polygon, int corners);
 /* ---- lighting.c ---- */
 
 struct accel_lamp {
-	bool point, spot, shines;	/* not directional; has a cone; has a specular part */
-	float position[3];		/* or the unit direction towards it */
-	float half[3];			/* unit half vector, if it is the same everywhere */
+	bool point, spot, shines; /* not directional; has a cone; has a specular part */
+	float position[3];        /* or the unit direction towards it */
+	float half[3];            /* unit half vector, if it is the same everywhere */
 	float attenuation[3];
 	float cone_axis[3], cone_cosine, cone_exponent;
-	float ambient[2][3], diffuse[2][3], specular[2][3];	/* times the materials */
+	float ambient[2][3], diffuse[2][3], specular[2][3]; /* times the materials */
 	uint8_t bit;
 };
 
 /* One side of the material under all lights. */
 struct accel_finish {
-	float base[3];			/* what is the same everywhere, and takes the paint */
-	float emission[3];		/* what takes none; in base if there is none */
+	float base[3];     /* what is the same everywhere, and takes the paint */
+	float emission[3]; /* what takes none; in base if there is none */
 	float alpha;
 	float shininess;
-	float faint_cosine;		/* below it a highlight is not worth its power function */
-	float visible_cosine, visible_sine;	/* of the angle at which a highlight is lost */
-	float diffuse, specular;	/* of all lights, the brightest channel */
+	float faint_cosine; /* below it a highlight is not worth its power function */
+	float visible_cosine, visible_sine; /* of the angle at which a highlight is lost */
+	float diffuse, specular;            /* of all lights, the brightest channel */
 };
 
 struct accel_lighting {
 	bool local_viewer;
-	float cone_exponent;		/* the largest */
+	float cone_exponent; /* the largest */
 	int lamps;
 	struct accel_lamp lamp[ACCEL_LIGHTS];
-	struct accel_finish finish[2];	/* front, back */
+	struct accel_finish finish[2]; /* front, back */
 };
 
 /* @painted: ambient and diffuse reflectance, and alpha, are the paint of each sample. */
@@ -228,22 +227,22 @@ float accel_lighting_power(float x, float n);
 #define ACCEL_EDGE_CACHE 2048
 
 struct accel_edge_entry {
-	uint64_t key;			/* the vertices' indices */
-	uint64_t pass;			/* accel_pass.number and the side it belongs to */
+	uint64_t key;  /* the vertices' indices */
+	uint64_t pass; /* accel_pass.number and the side it belongs to */
 	struct accel_edge edge;
 };
 
 struct accel_pass {
-	struct accel_device *device;	/* for messages */
+	struct accel_device *device; /* for messages */
 	const struct accel_state *state;
 	const struct accel_mesh *mesh;
-	struct accel_fetch position, normal, colour;	/* its arrays */
+	struct accel_fetch position, normal, colour; /* its arrays */
 	bool lit, painted;
-	bool interpolated;		/* points between vertices are not lit */
+	bool interpolated; /* points between vertices are not lit */
 	struct accel_transform transform;
 	struct accel_lighting lighting;
-	struct accel_vertex *vertex;	/* of the mesh */
-	struct accel_edge_entry *cache;	/* ACCEL_EDGE_CACHE of them */
+	struct accel_vertex *vertex;    /* of the mesh */
+	struct accel_edge_entry *cache; /* ACCEL_EDGE_CACHE of them */
 	uint64_t number;
 	struct accel_bin *bin;
 	struct accel_draw_stats *stats;
@@ -278,8 +277,7 @@ void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t
 /* The middle of a triangle on the screen, not sampled. */
 void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
 /* Must the triangle be split although none of its edges is? */
-bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch,
-			  int side);
+bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side);
 
 /* ---- interpolate.c ---- */
 
@@ -295,16 +293,16 @@ bool accel_interpolate_inside(const struct accel_patch *patch);
 /* An edge from row to row: x = ceil(place) is floor((start + row * dx) / dy), r what is left. */
 struct accel_line {
 	int64_t start;
-	int32_t dx, dy;			/* without common powers of two */
-	int32_t step;			/* dx / dy, and */
-	uint32_t m;			/* its remainder; 0 if the edge crosses one row */
+	int32_t dx, dy; /* without common powers of two */
+	int32_t step;   /* dx / dy, and */
+	uint32_t m;     /* its remainder; 0 if the edge crosses one row */
 };
 
 struct accel_setup {
-	int first, turn, end;		/* rows; @turn is where the two short edges meet */
+	int first, turn, end; /* rows; @turn is where the two short edges meet */
 	struct accel_line left, right, middle;
-	bool right_turns;		/* middle takes the place of the right edge at @turn */
-	bool narrow;			/* fits edges_compact */
+	bool right_turns; /* middle takes the place of the right edge at @turn */
+	bool narrow;      /* fits edges_compact */
 };
 
 /* The pixels of a row: left <= x < right. */
@@ -324,8 +322,7 @@ const struct accel_line *accel_setup_line(const struct accel_setup *setup, int r
 /* Where an edge is in a row. */
 int32_t accel_setup_at(const struct accel_line *line, int row, uint32_t *r);
 /* Rows @first to @end - 1 of the triangle, at most ACCEL_BAND_ROWS. */
-void accel_setup_rows(const struct accel_setup *setup, int first, int end,
-		      struct accel_row *row);
+void accel_setup_rows(const struct accel_setup *setup, int first, int end, struct accel_row *row);
 /* false: no pixel of @visible is in the triangle. A large triangle is not looked at. */
 bool accel_setup_draws(const struct accel_setup *setup, const struct accel_bounds *visible);
 
@@ -340,23 +337,23 @@ struct accel_surface {
 struct accel_depth_plane {
 	int x, y;
 	int64_t z, dx, dy;
-	bool narrow;			/* rounded to, and fits, depth_compact */
+	bool narrow; /* rounded to, and fits, depth_compact */
 };
 
 /* The place of the unit triangle (0,0) (1,0) (0,1) on screen: u and v at the anchor, and slopes. */
 struct accel_basis {
-	int x, y;			/* the anchor's pixel */
+	int x, y; /* the anchor's pixel */
 	double u, v, ux, uy, vx, vy;
 };
 
 struct accel_triangle {
 	struct accel_setup setup;
 	const struct accel_depth_plane *plane;
-	int x, y;			/* pixel the surfaces hold at */
+	int x, y; /* pixel the surfaces hold at */
 	enum gloss_shading shading;
 	bool alpha_linear;
 	struct accel_surface channel[4];
-	uint8_t constant[4];		/* instead of surfaces */
+	uint8_t constant[4]; /* instead of surfaces */
 };
 
 /* Signed area of a triangle on screen, positive if it runs clockwise (y down). */
@@ -389,16 +386,15 @@ int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[
 
 /* Where a record goes, in pixels of the target. */
 struct accel_place {
-	int x, y, tile_size;		/* the tile */
-	int first, end;			/* rows to draw */
+	int x, y, tile_size; /* the tile */
+	int first, end;      /* rows to draw */
 	bool covering;
-	const struct accel_row *row;	/* of row @first */
+	const struct accel_row *row; /* of row @first */
 };
 
 /* Packs the triangle's record for a tile; returns its words. */
 uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
-			   const struct accel_triangle *triangle,
-			   const struct accel_place *place);
+			   const struct accel_triangle *triangle, const struct accel_place *place);
 /* A record that fills a tile with a colour (as a colour surface's word) and a depth. */
 uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, uint32_t depth);
 
@@ -425,25 +421,25 @@ struct accel_tile_clear {
 
 struct accel_tile {
 	struct accel_chunk *chunk, *last;
-	uint32_t used;			/* words of the last chunk */
-	uint32_t words;			/* of all */
-	bool drawn;			/* has records; of another tile nothing below is set */
+	uint32_t used;  /* words of the last chunk */
+	uint32_t words; /* of all */
+	bool drawn;     /* has records; of another tile nothing below is set */
 	bool uses_colour, uses_depth, writes_depth;
 	struct accel_tile_clear clear;
-	struct accel_tile_state first, now;	/* that its records begin, end with */
+	struct accel_tile_state first, now; /* that its records begin, end with */
 };
 
 struct accel_bin {
 	int tile_size;
-	int width, height;		/* of the target, pixels; 0: no target yet */
-	int columns, rows;		/* of tiles */
-	struct accel_tile *tile;	/* row by row */
+	int width, height;       /* of the target, pixels; 0: no target yet */
+	int columns, rows;       /* of tiles */
+	struct accel_tile *tile; /* row by row */
 	int tiles_room;
 	struct accel_tile_clear clear;
-	struct accel_tile_state state;	/* of what is drawn next; its scissor is per tile */
+	struct accel_tile_state state; /* of what is drawn next; its scissor is per tile */
 	struct accel_bounds visible;
 	struct accel_block *block, *block_now;
-	int block_used;			/* chunks of block_now */
+	int block_used; /* chunks of block_now */
 	uint64_t records;
 };
 

@@ -7,7 +7,7 @@
 
 static const struct fetch_attribute {
 	const char *name;
-	uint8_t least, most;		/* components */
+	uint8_t least, most; /* components */
 } attributes[] = {
 	[ACCEL_ATTRIBUTE_POSITION] = { "positions", 2, 3 },
 	[ACCEL_ATTRIBUTE_NORMAL] = { "normals", 3, 3 },
@@ -29,8 +29,10 @@ static int fetch_check(struct accel_device *device, enum accel_attribute attribu
 	     attribute == ACCEL_ATTRIBUTE_COLOUR))
 		return 0;
 	accel_device_message(device, "%s of type %u: so far they are ACCEL_TYPE_FLOAT%s", of->name,
-			     array->type, attribute == ACCEL_ATTRIBUTE_COLOUR ?
-			     ", or ACCEL_TYPE_UBYTE and normalised" : "");
+			     array->type,
+			     attribute == ACCEL_ATTRIBUTE_COLOUR ?
+				     ", or ACCEL_TYPE_UBYTE and normalised" :
+				     "");
 	return -EINVAL;
 }
 

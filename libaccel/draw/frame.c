@@ -12,11 +12,11 @@ struct writer {
 	const struct accel_bin *bin;
 	struct accel_stream *stream;
 	const struct accel_target *target;
-	struct accel_tile_state now;	/* as the core has it at this place of the stream */
-	size_t words;			/* of this job */
-	uint64_t words_before, tiles;	/* of the jobs before; of all */
-	struct accel_fence *fence;	/* of all its jobs */
-	bool sent;			/* a job is on the board */
+	struct accel_tile_state now;  /* as the core has it at this place of the stream */
+	size_t words;                 /* of this job */
+	uint64_t words_before, tiles; /* of the jobs before; of all */
+	struct accel_fence *fence;    /* of all its jobs */
+	bool sent;                    /* a job is on the board */
 };
 
 static int frame_put(struct writer *writer, const uint32_t *words, uint32_t count)
@@ -46,16 +46,16 @@ static int frame_job_begin(struct writer *writer)
 	if (depth < 0)
 		return depth;
 	gloss_colour_surface_pack(words, &(struct gloss_colour_surface){
-		.slot = (uint32_t)colour,
-		.pitch = target->pitch,
-	});
+						 .slot = (uint32_t)colour,
+						 .pitch = target->pitch,
+					 });
 	gloss_depth_surface_pack(words + 2, &(struct gloss_depth_surface){
-		.slot = (uint32_t)depth,
-		.pitch = target->pitch,
-	});
+						    .slot = (uint32_t)depth,
+						    .pitch = target->pitch,
+					    });
 	gloss_depth_state_pack(&writer->now.depth_state, &(struct gloss_depth_state){
-		.func = GLOSS_COMPARE_ALWAYS,
-	});
+								 .func = GLOSS_COMPARE_ALWAYS,
+							 });
 	gloss_colour_mask_pack(&writer->now.colour_mask,
 			       &(struct gloss_colour_mask){ true, true, true, true });
 	writer->now.scissor = accel_bin_scissor(0, 0, writer->bin->tile_size,
@@ -67,12 +67,13 @@ static int frame_job_begin(struct writer *writer)
 /* What a surface's tile begins and ends with. */
 struct part {
 	bool load;
-	uint32_t begin;			/* clear value, or offset to load from */
+	uint32_t begin; /* clear value, or offset to load from */
 	enum gloss_tile_output output;
-	uint32_t end;			/* offset to store to */
+	uint32_t end; /* offset to store to */
 };
 
-static struct part frame_part_of(bool clear, uint32_t value, bool uses, bool writes, uint32_t offset)
+static struct part frame_part_of(bool clear, uint32_t value, bool uses, bool writes,
+				 uint32_t offset)
 {
 	struct part part = { .output = GLOSS_TILE_OUTPUT_DROP };
 
@@ -96,7 +97,8 @@ static int frame_tile_records(struct writer *writer, const struct accel_tile *ti
 	int err = frame_put(writer, words, count);
 
 	for (chunk = tile->chunk; chunk && !err; chunk = chunk->next)
-		err = frame_lend(writer, chunk->words, chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
+		err = frame_lend(writer, chunk->words,
+				 chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
 	writer->now = tile->now;
 	return err;
 }
@@ -106,9 +108,9 @@ static int frame_tile_write(struct writer *writer, const struct accel_tile *tile
 {
 	const struct accel_tile_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
 	struct part colour = frame_part_of(clear->mask & ACCEL_CLEAR_COLOUR, clear->colour,
-				     tile->uses_colour, tile->uses_colour, offset);
+					   tile->uses_colour, tile->uses_colour, offset);
 	struct part depth = frame_part_of(clear->mask & ACCEL_CLEAR_DEPTH, clear->depth,
-				    tile->uses_depth, tile->writes_depth, offset);
+					  tile->uses_depth, tile->writes_depth, offset);
 	uint32_t words[1 + GLOSS_TILE_BEGIN_WORDS];
 	int err;
 
@@ -136,10 +138,10 @@ static int frame_job_end(struct writer *writer)
 	return 0;
 }
 
-static bool frame_job_full(const struct writer *writer, const struct accel_tile *tile, size_t job_words)
+static bool frame_job_full(const struct writer *writer, const struct accel_tile *tile,
+			   size_t job_words)
 {
-	return writer->words > JOB_WORDS &&
-	       writer->words + tile->words + TILE_WORDS > job_words;
+	return writer->words > JOB_WORDS && writer->words + tile->words + TILE_WORDS > job_words;
 }
 
 static int frame_tiles_write(struct writer *writer, size_t job_words)

@@ -74,8 +74,8 @@ static void geometry_intersect(struct accel_bounds *rectangle, int x, int y, int
 	geometry_intersect_range(&rectangle->y0, &rectangle->y1, y, height);
 }
 
-static void geometry_window_init(struct accel_window *window, const struct accel_state *state, int width,
-			int height)
+static void geometry_window_init(struct accel_window *window, const struct accel_state *state,
+				 int width, int height)
 {
 	double x = 0, y = 0, w = width, h = height;
 	int guard_top = (height - GUARD_HEIGHT) / 2;
@@ -87,11 +87,11 @@ static void geometry_window_init(struct accel_window *window, const struct accel
 		w = state->viewport.width;
 		h = state->viewport.height > 0 ? state->viewport.height : 0;
 		geometry_intersect(&window->visible, state->viewport.x, state->viewport.y,
-			  state->viewport.width, state->viewport.height);
+				   state->viewport.width, state->viewport.height);
 	}
 	if (state->scissor.width >= 0)
 		geometry_intersect(&window->visible, state->scissor.x, state->scissor.y,
-			  state->scissor.width, state->scissor.height);
+				   state->scissor.width, state->scissor.height);
 	window->scale[0] = w / 2;
 	window->scale[1] = -h / 2;
 	window->scale[2] = ((double)state->depth_far - (double)state->depth_near) / 2;
@@ -186,9 +186,9 @@ void accel_geometry_project(const struct accel_window *window, const double clip
 	double z = clip[2] * inverse * window->scale[2] + window->offset[2];
 
 	vertex->x = geometry_snap(clip[0] * inverse * window->scale[0] + window->offset[0],
-			 window->guard[0], window->guard[1]);
+				  window->guard[0], window->guard[1]);
 	vertex->y = geometry_snap(clip[1] * inverse * window->scale[1] + window->offset[1],
-			 window->guard[2], window->guard[3]);
+				  window->guard[2], window->guard[3]);
 	vertex->w = (float)w;
 	vertex->z = z > 0 ? (z < 1 ? z : 1) : 0;
 }

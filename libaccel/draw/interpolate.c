@@ -14,7 +14,7 @@
 /* A middle nearer to the straight line than this is taken to be on it. Between the edges, and
  * beside their middles, a surface may be off by twice as much. */
 #define STRAIGHT (0.7f * STEP)
-#define STRAIGHT_ALPHA (0.4f * STEP)	/* which has no second-order surface */
+#define STRAIGHT_ALPHA (0.4f * STEP) /* which has no second-order surface */
 /* Errors of the second-order curve beyond this are worth a split. */
 #define CURVE (0.5f * STEP)
 
@@ -43,8 +43,9 @@ bool accel_interpolate_straight(const struct accel_vertex *const vertex[3])
 }
 
 /* The curve's error a quarter of the way from @a. */
-static float interpolate_curve_error(const struct accel_vertex *a, const struct accel_vertex *middle,
-			 const struct accel_vertex *b)
+static float interpolate_curve_error(const struct accel_vertex *a,
+				     const struct accel_vertex *middle,
+				     const struct accel_vertex *b)
 {
 	struct accel_vertex quarter;
 	float curve[3];
@@ -60,8 +61,10 @@ void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_ver
 			    struct accel_edge *edge)
 {
 	float factor = interpolate_bend(a->w, b->w);
-	bool bends = interpolate_difference(a->sample.colour, b->sample.colour, 3) * factor >= STRAIGHT;
-	bool alpha_bends = interpolate_difference(&a->sample.colour[3], &b->sample.colour[3], 1) * factor >=
+	bool bends = interpolate_difference(a->sample.colour, b->sample.colour, 3) * factor >=
+		     STRAIGHT;
+	bool alpha_bends = interpolate_difference(&a->sample.colour[3], &b->sample.colour[3], 1) *
+				   factor >=
 			   STRAIGHT_ALPHA;
 	struct accel_vertex middle;
 
@@ -77,8 +80,8 @@ void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_ver
 		edge->colour[i] = middle.sample.colour[i];
 	if (!accel_shading_divisible(a, b))
 		return;
-	edge->split = alpha_bends ||
-		      interpolate_curve_error(a, &middle, b) > CURVE || interpolate_curve_error(b, &middle, a) > CURVE;
+	edge->split = alpha_bends || interpolate_curve_error(a, &middle, b) > CURVE ||
+		      interpolate_curve_error(b, &middle, a) > CURVE;
 }
 
 bool accel_interpolate_inside(const struct accel_patch *patch)
@@ -96,7 +99,8 @@ bool accel_interpolate_inside(const struct accel_patch *patch)
 				 patch->edge[2]->colour[i]) -
 			    (patch->vertex[0]->sample.colour[i] +
 			     patch->vertex[1]->sample.colour[i] +
-			     patch->vertex[2]->sample.colour[i])) / 9;
+			     patch->vertex[2]->sample.colour[i])) /
+			   9;
 	return interpolate_difference(curve, middle.sample.colour, 3) > CURVE ||
 	       fabsf(alpha - middle.sample.colour[3]) > STRAIGHT;
 }

@@ -61,11 +61,12 @@ static float lighting_exp2_of(float y)
 	float scale;
 
 	memcpy(&scale, &bits, sizeof(scale));
-	return scale * (1 + f * (0.693147181f +
-				 f * (0.240226507f +
-				      f * (0.0555041087f +
-					   f * (0.00961812911f +
-						f * (0.00133335581f + f * 0.000154035304f))))));
+	return scale *
+	       (1 +
+		f * (0.693147181f +
+		     f * (0.240226507f +
+			  f * (0.0555041087f + f * (0.00961812911f +
+						    f * (0.00133335581f + f * 0.000154035304f))))));
 }
 
 /* The C library's powf is exact to the last bit, slower, and not the same in all of them. */
@@ -86,7 +87,7 @@ float accel_lighting_power(float x, float n)
 static const float white[4] = { 1, 1, 1, 1 };
 
 static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
-		      const struct accel_light *light, bool painted)
+			       const struct accel_light *light, bool painted)
 {
 	static const float ahead[3] = { 0, 0, 1 };
 
@@ -111,8 +112,10 @@ static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state
 	for (int side = 0; side < 2; side++) {
 		const struct accel_material *material = &state->material[side];
 
-		lighting_product(lamp->ambient[side], light->ambient, painted ? white : material->ambient);
-		lighting_product(lamp->diffuse[side], light->diffuse, painted ? white : material->diffuse);
+		lighting_product(lamp->ambient[side], light->ambient,
+				 painted ? white : material->ambient);
+		lighting_product(lamp->diffuse[side], light->diffuse,
+				 painted ? white : material->diffuse);
 		lighting_product(lamp->specular[side], light->specular, material->specular);
 		lamp->shines |= lighting_brightest(lamp->specular[side]) > 0;
 	}
@@ -126,8 +129,8 @@ static float lighting_fall_cosine(float strength, float n, float level)
 	return n > 0 ? (float)pow((double)(level / strength), 1 / (double)n) : 0;
 }
 
-static void lighting_finish_init(struct accel_lighting *lighting, const struct accel_state *state, int side,
-			bool painted)
+static void lighting_finish_init(struct accel_lighting *lighting, const struct accel_state *state,
+				 int side, bool painted)
 {
 	const struct accel_material *material = &state->material[side];
 	struct accel_finish *finish = &lighting->finish[side];
@@ -150,12 +153,11 @@ static void lighting_finish_init(struct accel_lighting *lighting, const struct a
 	finish->shininess = material->shininess;
 	finish->diffuse = lighting_brightest(diffuse);
 	finish->specular = lighting_brightest(specular);
-	finish->faint_cosine =
-		lighting_fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_FAINT);
-	finish->visible_cosine =
-		lighting_fall_cosine(finish->specular, finish->shininess, HIGHLIGHT_VISIBLE);
-	finish->visible_sine =
-		sqrtf(fmaxf(1 - finish->visible_cosine * finish->visible_cosine, 0));
+	finish->faint_cosine = lighting_fall_cosine(finish->specular, finish->shininess,
+						    HIGHLIGHT_FAINT);
+	finish->visible_cosine = lighting_fall_cosine(finish->specular, finish->shininess,
+						      HIGHLIGHT_VISIBLE);
+	finish->visible_sine = sqrtf(fmaxf(1 - finish->visible_cosine * finish->visible_cosine, 0));
 }
 
 void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state,
@@ -172,8 +174,8 @@ void accel_lighting_init(struct accel_lighting *lighting, const struct accel_sta
 		lighting_lamp_init(lamp, state, &state->light[i], painted);
 		lamp->bit = (uint8_t)(1 << i);
 		if (lamp->spot)
-			lighting->cone_exponent =
-				fmaxf(lighting->cone_exponent, lamp->cone_exponent);
+			lighting->cone_exponent = fmaxf(lighting->cone_exponent,
+							lamp->cone_exponent);
 		lighting->lamps++;
 	}
 	lighting_finish_init(lighting, state, 0, painted);
@@ -188,7 +190,7 @@ struct point {
 
 /* The direction towards a lamp that is a point; returns how much of its light arrives. */
 static float lighting_reach(const struct accel_lamp *lamp, const float eye[3], float to[3],
-		   struct accel_sample *sample)
+			    struct accel_sample *sample)
 {
 	float distance, near, cosine, factor;
 
@@ -199,8 +201,8 @@ static float lighting_reach(const struct accel_lamp *lamp, const float eye[3], f
 	if (near > sample->near_lamp)
 		sample->near_lamp = near;
 	/* In the lamp itself there may be no attenuation; what is dark stays so there too. */
-	factor = fminf(1 / (lamp->attenuation[0] + distance * (lamp->attenuation[1] +
-							       distance * lamp->attenuation[2])),
+	factor = fminf(1 / (lamp->attenuation[0] +
+			    distance * (lamp->attenuation[1] + distance * lamp->attenuation[2])),
 		       FLT_MAX);
 	if (!lamp->spot)
 		return factor;
@@ -211,8 +213,9 @@ static float lighting_reach(const struct accel_lamp *lamp, const float eye[3], f
 	return factor * accel_lighting_power(cosine, lamp->cone_exponent);
 }
 
-static float lighting_half_cosine(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
-			 const struct point *point, const float to[3])
+static float lighting_half_cosine(const struct accel_lighting *lighting,
+				  const struct accel_lamp *lamp, const struct point *point,
+				  const float to[3])
 {
 	float half[3];
 
@@ -225,7 +228,7 @@ static float lighting_half_cosine(const struct accel_lighting *lighting, const s
 }
 
 static void lighting_add_lamp(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
-		     int side, const struct point *point, struct accel_sample *sample)
+			      int side, const struct point *point, struct accel_sample *sample)
 {
 	const struct accel_finish *finish = &lighting->finish[side];
 	float away[3], cosine, shine, highlight = 0, factor = 1;
@@ -255,8 +258,9 @@ static void lighting_add_lamp(const struct accel_lighting *lighting, const struc
 }
 
 /* Returns 1/distance^2 of the viewer, 0 if it is far away. */
-static float lighting_point_init(const struct accel_lighting *lighting, int side, const float eye[3],
-			const float normal[3], const float paint[4], struct point *point)
+static float lighting_point_init(const struct accel_lighting *lighting, int side,
+				 const float eye[3], const float normal[3], const float paint[4],
+				 struct point *point)
 {
 	float sign = side ? -1 : 1, distance;
 
@@ -283,8 +287,7 @@ static void lighting_clamp_colour(float colour[3])
 }
 
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
-			   const float normal[3], const float paint[4],
-			   struct accel_sample *sample)
+			   const float normal[3], const float paint[4], struct accel_sample *sample)
 {
 	const struct accel_finish *finish = &lighting->finish[side];
 	struct point point;

@@ -18,8 +18,9 @@ static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh
 		return -EINVAL;
 	}
 	if (!mesh->position.data || mesh->reserved) {
-		accel_device_message(device, mesh->reserved ? "a mesh whose reserved member is set"
-							    : "a mesh without positions");
+		accel_device_message(device, mesh->reserved ?
+						     "a mesh whose reserved member is set" :
+						     "a mesh without positions");
 		return -EINVAL;
 	}
 	for (uint32_t i = 0; mesh->index && i < mesh->indices; i++) {
@@ -92,8 +93,8 @@ int accel_mesh_transform(struct accel_pass *pass)
 	for (uint32_t i = 0; i < pass->mesh->vertices && !err; i++) {
 		err = mesh_vertex(pass, i, normal, colour);
 		if (err)
-			accel_device_message(pass->device,
-					     "vertex %u of the mesh is not finite", i);
+			accel_device_message(pass->device, "vertex %u of the mesh is not finite",
+					     i);
 	}
 	return err;
 }
@@ -143,7 +144,7 @@ static int64_t mesh_polygon_area(const struct accel_corner *polygon, int corners
 }
 
 static int mesh_draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
-		    struct accel_vertex *flat, int64_t area, int side)
+			 struct accel_vertex *flat, int64_t area, int side)
 {
 	int apex = accel_clip_apex(polygon, corners), err = 0;
 	uint64_t culled = pass->stats->culled, parts = 0;
@@ -172,8 +173,8 @@ static int mesh_draw_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 }
 
 static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
-		const uint32_t index[3], uint32_t planes,
-		struct accel_corner polygon[ACCEL_POLYGON_MAX])
+		     const uint32_t index[3], uint32_t planes,
+		     struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	for (int i = 0; i < 3; i++) {
 		float position[4];
@@ -188,8 +189,8 @@ static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const v
 
 /* The same, with the light at the triangle's own vertices to interpolate between. */
 static void mesh_clip_lit(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
-		     const uint32_t index[3], uint32_t planes, int side,
-		     struct accel_corner polygon[ACCEL_POLYGON_MAX])
+			  const uint32_t index[3], uint32_t planes, int side,
+			  struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	int corners;
 
@@ -201,7 +202,7 @@ static void mesh_clip_lit(const struct accel_pass *pass, struct accel_vertex *co
 }
 
 static int mesh_draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
-			const uint32_t index[3], uint32_t planes)
+			     const uint32_t index[3], uint32_t planes)
 {
 	struct accel_corner polygon[ACCEL_POLYGON_MAX];
 	struct accel_vertex flat = *vertex[2];

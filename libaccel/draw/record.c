@@ -11,7 +11,7 @@ static int record_anchor_x(const struct accel_place *place)
 }
 
 static void record_edges_wide(struct gloss_edges_wide *edges, const struct accel_setup *setup,
-		       const struct accel_place *place)
+			      const struct accel_place *place)
 {
 	const struct accel_line *left = accel_setup_line(setup, place->first, false);
 	const struct accel_line *right = accel_setup_line(setup, place->first, true);
@@ -41,7 +41,7 @@ static void record_edges_wide(struct gloss_edges_wide *edges, const struct accel
 }
 
 static uint32_t record_pack_edges_wide(uint32_t *words, const struct accel_setup *setup,
-				const struct accel_place *place)
+				       const struct accel_place *place)
 {
 	struct gloss_edges_wide edges;
 
@@ -51,32 +51,32 @@ static uint32_t record_pack_edges_wide(uint32_t *words, const struct accel_setup
 }
 
 static uint32_t record_pack_edges_compact(uint32_t *words, const struct accel_setup *setup,
-				   const struct accel_place *place)
+					  const struct accel_place *place)
 {
 	struct gloss_edges_wide wide;
 
 	record_edges_wide(&wide, setup, place);
 	gloss_edges_compact_pack(words, &(struct gloss_edges_compact){
-		.left_r = wide.left_r,
-		.left_m = wide.left_m,
-		.left_dy = wide.left_dy,
-		.left_x = wide.left_x,
-		.left_step = wide.left_step,
-		.first_row = wide.first_row,
-		.last_row = wide.last_row,
-		.right_r = wide.right_r,
-		.right_m = wide.right_m,
-		.right_dy = wide.right_dy,
-		.right_x = wide.right_x,
-		.right_step = wide.right_step,
-		.switch_row = wide.switch_row,
-		.side = wide.side,
-		.middle_r = wide.middle_r,
-		.middle_m = wide.middle_m,
-		.middle_dy = wide.middle_dy,
-		.middle_x = wide.middle_x,
-		.middle_step = wide.middle_step,
-	});
+						.left_r = wide.left_r,
+						.left_m = wide.left_m,
+						.left_dy = wide.left_dy,
+						.left_x = wide.left_x,
+						.left_step = wide.left_step,
+						.first_row = wide.first_row,
+						.last_row = wide.last_row,
+						.right_r = wide.right_r,
+						.right_m = wide.right_m,
+						.right_dy = wide.right_dy,
+						.right_x = wide.right_x,
+						.right_step = wide.right_step,
+						.switch_row = wide.switch_row,
+						.side = wide.side,
+						.middle_r = wide.middle_r,
+						.middle_m = wide.middle_m,
+						.middle_dy = wide.middle_dy,
+						.middle_x = wide.middle_x,
+						.middle_step = wide.middle_step,
+					});
 	return GLOSS_EDGES_COMPACT_WORDS;
 }
 
@@ -88,28 +88,28 @@ static uint32_t record_high_byte(int64_t value)
 static uint32_t record_pack_depth_wide(uint32_t *words, int64_t z, int64_t dx, int64_t dy)
 {
 	gloss_depth_wide_pack(words, &(struct gloss_depth_wide){
-		.z = (uint32_t)z,
-		.dx = (uint32_t)dx,
-		.dy = (uint32_t)dy,
-		.z_high = record_high_byte(z),
-		.dx_high = record_high_byte(dx),
-		.dy_high = record_high_byte(dy),
-	});
+					     .z = (uint32_t)z,
+					     .dx = (uint32_t)dx,
+					     .dy = (uint32_t)dy,
+					     .z_high = record_high_byte(z),
+					     .dx_high = record_high_byte(dx),
+					     .dy_high = record_high_byte(dy),
+				     });
 	return GLOSS_DEPTH_WIDE_WORDS;
 }
 
 static uint32_t record_pack_depth_compact(uint32_t *words, int64_t z, int64_t dx, int64_t dy)
 {
 	gloss_depth_compact_pack(words, &(struct gloss_depth_compact){
-		.z = (int32_t)(z >> GLOSS_DEPTH_COMPACT_SHIFT),
-		.dx = (int32_t)(dx >> GLOSS_DEPTH_COMPACT_SHIFT),
-		.dy = (int32_t)(dy >> GLOSS_DEPTH_COMPACT_SHIFT),
-	});
+						.z = (int32_t)(z >> GLOSS_DEPTH_COMPACT_SHIFT),
+						.dx = (int32_t)(dx >> GLOSS_DEPTH_COMPACT_SHIFT),
+						.dy = (int32_t)(dy >> GLOSS_DEPTH_COMPACT_SHIFT),
+					});
 	return GLOSS_DEPTH_COMPACT_WORDS;
 }
 
-static uint32_t record_pack_depth(uint32_t *words, const struct accel_depth_plane *plane, bool compact, int x,
-			   int y)
+static uint32_t record_pack_depth(uint32_t *words, const struct accel_depth_plane *plane,
+				  bool compact, int x, int y)
 {
 	int64_t z = plane->z + (x - plane->x) * plane->dx + (y - plane->y) * plane->dy;
 
@@ -119,7 +119,7 @@ static uint32_t record_pack_depth(uint32_t *words, const struct accel_depth_plan
 
 /* A surface moved to where it is asked for; the core's arithmetic wraps, and so does this. */
 static void record_surface_at(const struct accel_surface *surface, uint32_t u, uint32_t v,
-		       struct accel_surface *moved)
+			      struct accel_surface *moved)
 {
 	/* Products of neighbours: u (u - 1) / 2 is whole before it wraps. */
 	uint32_t uu = (uint32_t)((int64_t)(int32_t)u * ((int32_t)u - 1) / 2);
@@ -133,8 +133,8 @@ static void record_surface_at(const struct accel_surface *surface, uint32_t u, u
 }
 
 /* The words of a linear form are the first three of a second-order one. */
-static uint32_t record_pack_surface(uint32_t *words, const struct accel_surface *surface, uint32_t u,
-			     uint32_t v, bool linear)
+static uint32_t record_pack_surface(uint32_t *words, const struct accel_surface *surface,
+				    uint32_t u, uint32_t v, bool linear)
 {
 	struct accel_surface moved;
 
@@ -150,7 +150,8 @@ static uint32_t record_pack_surface(uint32_t *words, const struct accel_surface 
 	return 6;
 }
 
-static uint32_t record_pack_colour(uint32_t *words, const struct accel_triangle *triangle, int x, int y)
+static uint32_t record_pack_colour(uint32_t *words, const struct accel_triangle *triangle, int x,
+				   int y)
 {
 	uint32_t u = (uint32_t)(x - triangle->x), v = (uint32_t)(y - triangle->y), count = 0;
 	bool flat = triangle->shading == GLOSS_SHADING_FLAT;
@@ -163,10 +164,10 @@ static uint32_t record_pack_colour(uint32_t *words, const struct accel_triangle 
 	if (!flat)
 		return count;
 	gloss_colour_flat_pack(words + count, &(struct gloss_colour_flat){
-		.red = triangle->constant[0],
-		.green = triangle->constant[1],
-		.blue = triangle->constant[2],
-	});
+						      .red = triangle->constant[0],
+						      .green = triangle->constant[1],
+						      .blue = triangle->constant[2],
+					      });
 	return count + GLOSS_COLOUR_FLAT_WORDS;
 }
 
@@ -177,13 +178,15 @@ uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
 	int x = record_anchor_x(place);
 	uint32_t count = 1;
 
-	gloss_triangle_pack(words, &(struct gloss_triangle){
-		.geometry = place->covering ? GLOSS_GEOMETRY_COVERING :
-			    compact ? GLOSS_GEOMETRY_COMPACT : GLOSS_GEOMETRY_WIDE,
-		.shading = triangle->shading,
-		.alpha_linear = triangle->alpha_linear,
-		.alpha = triangle->alpha_linear ? 0 : triangle->constant[3],
-	});
+	gloss_triangle_pack(words,
+			    &(struct gloss_triangle){
+				    .geometry = place->covering ? GLOSS_GEOMETRY_COVERING :
+						compact         ? GLOSS_GEOMETRY_COMPACT :
+								  GLOSS_GEOMETRY_WIDE,
+				    .shading = triangle->shading,
+				    .alpha_linear = triangle->alpha_linear,
+				    .alpha = triangle->alpha_linear ? 0 : triangle->constant[3],
+			    });
 	if (compact)
 		count += record_pack_edges_compact(words + count, &triangle->setup, place);
 	else if (!place->covering)
@@ -197,15 +200,16 @@ uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, 
 	uint32_t count = 1;
 
 	gloss_triangle_pack(words, &(struct gloss_triangle){
-		.geometry = GLOSS_GEOMETRY_COVERING,
-		.shading = GLOSS_SHADING_FLAT,
-		.alpha = colour >> 24,
-	});
-	count += record_pack_depth_wide(words + count, (int64_t)depth << GLOSS_DEPTH_FRACTION, 0, 0);
+					   .geometry = GLOSS_GEOMETRY_COVERING,
+					   .shading = GLOSS_SHADING_FLAT,
+					   .alpha = colour >> 24,
+				   });
+	count += record_pack_depth_wide(words + count, (int64_t)depth << GLOSS_DEPTH_FRACTION, 0,
+					0);
 	gloss_colour_flat_pack(words + count, &(struct gloss_colour_flat){
-		.red = colour & 0xff,
-		.green = colour >> 8 & 0xff,
-		.blue = colour >> 16 & 0xff,
-	});
+						      .red = colour & 0xff,
+						      .green = colour >> 8 & 0xff,
+						      .blue = colour >> 16 & 0xff,
+					      });
 	return count + GLOSS_COLOUR_FLAT_WORDS;
 }

@@ -60,7 +60,7 @@ bool accel_setup_edge_fits(const struct accel_vertex *a, const struct accel_vert
 
 /* @top is above @bottom. */
 static void setup_line_init(struct accel_line *line, const struct accel_vertex *top,
-		      const struct accel_vertex *bottom)
+			    const struct accel_vertex *bottom)
 {
 	int64_t place;
 
@@ -95,7 +95,8 @@ static int32_t setup_extent(int32_t a, int32_t b, int32_t c)
 	return high - low;
 }
 
-static bool setup_is_narrow(const struct accel_setup *setup, const struct accel_vertex *const vertex[3])
+static bool setup_is_narrow(const struct accel_setup *setup,
+			    const struct accel_vertex *const vertex[3])
 {
 	return setup_extent(vertex[0]->x, vertex[1]->x, vertex[2]->x) <=
 		       NARROW_PIXELS * ACCEL_WINDOW_ONE &&

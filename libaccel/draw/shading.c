@@ -37,8 +37,8 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 	vertex->sampled = 1u + (unsigned int)side;
 	if (!pass->lit)
 		return;
-	accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal,
-			      vertex->paint, &vertex->sample);
+	accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal, vertex->paint,
+			      &vertex->sample);
 	/* OpenGL clamps before it interpolates. */
 	for (int i = 0; i < 3 && pass->interpolated; i++)
 		if (vertex->sample.colour[i] > 1)
@@ -47,7 +47,7 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 
 /* How far from @a and from @b, in space, the point is that is halfway on the screen. */
 static void shading_halfway(const struct accel_vertex *a, const struct accel_vertex *b, float *of_a,
-		    float *of_b)
+			    float *of_b)
 {
 	double sum = 1 / ((double)a->w + (double)b->w);
 
@@ -89,7 +89,9 @@ static float shading_normal_spread(const struct accel_vertex *a, const struct ac
 {
 	float length = number_dot(a->normal, a->normal) * number_dot(b->normal, b->normal);
 
-	return length > 0 ? number_larger(2 - 2 * number_dot(a->normal, b->normal) / sqrtf(length), 0) : 0;
+	return length > 0 ?
+		       number_larger(2 - 2 * number_dot(a->normal, b->normal) / sqrtf(length), 0) :
+		       0;
 }
 
 static float shading_distance_squared(const struct accel_vertex *a, const struct accel_vertex *b)
@@ -119,7 +121,8 @@ static float shading_screen_length(const struct accel_vertex *a, const struct ac
  * (a near viewer, a near lamp) there is no closed form for its nearest approach; but it can not
  * come nearer than the angle that is left.
  */
-static bool shading_highlight_near(const struct accel_finish *finish, float shine, float sine_squared)
+static bool shading_highlight_near(const struct accel_finish *finish, float shine,
+				   float sine_squared)
 {
 	float sine, cosine;
 
@@ -134,15 +137,15 @@ static bool shading_highlight_near(const struct accel_finish *finish, float shin
 
 /* What is known of an edge before its midpoint is lit. */
 struct span {
-	float spread;			/* angle of the normals and of what moves, squared */
-	float lamp;			/* angle at which a lamp sees it, squared */
-	float length;			/* on the screen, squared, pixels */
+	float spread; /* angle of the normals and of what moves, squared */
+	float lamp;   /* angle at which a lamp sees it, squared */
+	float length; /* on the screen, squared, pixels */
 	float shine;
-	bool even;			/* both ends have the same lights */
+	bool even; /* both ends have the same lights */
 };
 
 static void shading_span_init(const struct accel_pass *pass, const struct accel_vertex *a,
-		      const struct accel_vertex *b, struct span *span)
+			      const struct accel_vertex *b, struct span *span)
 {
 	const struct accel_sample *sa = &a->sample, *sb = &b->sample;
 	float near = number_larger(sa->near, sb->near), normals, place;
@@ -154,15 +157,17 @@ static void shading_span_init(const struct accel_pass *pass, const struct accel_
 	place = near > 0 ? near * shading_distance_squared(a, b) : 0;
 	span->spread = normals + place + 2 * sqrtf(normals * place);
 	span->lamp = sa->near_lamp > 0 || sb->near_lamp > 0 ?
-		number_larger(sa->near_lamp, sb->near_lamp) * shading_distance_squared(a, b) : 0;
+			     number_larger(sa->near_lamp, sb->near_lamp) *
+				     shading_distance_squared(a, b) :
+			     0;
 	span->shine = number_larger(sa->shine, sb->shine);
 	span->even = sa->facing == sb->facing && sa->in_cone == sb->in_cone;
 }
 
 /* Bound of the midpoint's distance from the straight line, from second derivatives. */
 static float shading_bend(const struct accel_pass *pass, const struct accel_vertex *a,
-		  const struct accel_vertex *b, const struct accel_finish *finish,
-		  const struct span *span)
+			  const struct accel_vertex *b, const struct accel_finish *finish,
+			  const struct span *span)
 {
 	float change = 0, strength = finish->diffuse, w = fabsf(a->w - b->w) / (2 * (a->w + b->w));
 
@@ -172,8 +177,10 @@ static float shading_bend(const struct accel_pass *pass, const struct accel_vert
 	if (shading_highlight_near(finish, span->shine, span->spread / 4))
 		strength += finish->specular * number_larger(finish->shininess, 1);
 	/* Attenuation falls with the square of the distance at most. */
-	return change * w + (strength * span->spread + (finish->diffuse + finish->specular) *
-			     (pass->lighting.cone_exponent + 6) * span->lamp) / 8;
+	return change * w +
+	       (strength * span->spread + (finish->diffuse + finish->specular) *
+						  (pass->lighting.cone_exponent + 6) * span->lamp) /
+		       8;
 }
 
 static float shading_deviation(const float a[3], const float b[3])
@@ -187,7 +194,8 @@ static float shading_deviation(const float a[3], const float b[3])
 
 /* The curve's error a quarter of the way from @a, where the exact light is taken again. */
 static float shading_curve_error(const struct accel_pass *pass, const struct accel_vertex *a,
-			 const struct accel_vertex *middle, const struct accel_vertex *b, int side)
+				 const struct accel_vertex *middle, const struct accel_vertex *b,
+				 int side)
 {
 	struct accel_vertex quarter;
 	float curve[3];
@@ -201,14 +209,15 @@ static float shading_curve_error(const struct accel_pass *pass, const struct acc
 }
 
 static bool shading_wants_split(const struct accel_pass *pass, const struct accel_vertex *a,
-			const struct accel_vertex *middle, const struct accel_vertex *b, int side,
-			const struct span *span, float off_line)
+				const struct accel_vertex *middle, const struct accel_vertex *b,
+				int side, const struct span *span, float off_line)
 {
 	const struct accel_finish *finish = &pass->lighting.finish[side];
 	float narrow = span->spread * finish->shininess;
 	bool shines = narrow > HIGHLIGHT_WIDE &&
-		shading_highlight_near(finish, number_larger(span->shine, middle->sample.shine),
-			       span->spread / 16);
+		      shading_highlight_near(finish,
+					     number_larger(span->shine, middle->sample.shine),
+					     span->spread / 16);
 	bool lit = a->sample.facing || b->sample.facing || middle->sample.facing;
 
 	if (span->length < RIM_LENGTH * RIM_LENGTH ||
@@ -252,7 +261,7 @@ static float shading_spot_correction(float a, float m, float b, bool rim)
 
 /* What a spot adds at a vertex, of the colour that is there. */
 static void shading_spot_light(const struct accel_pass *pass, const struct accel_lamp *lamp,
-		       const struct accel_vertex *vertex, int side, float colour[3])
+			       const struct accel_vertex *vertex, int side, float colour[3])
 {
 	accel_lighting_lamp(&pass->lighting, side, lamp, vertex->eye, vertex->normal, vertex->paint,
 			    colour);
@@ -266,8 +275,8 @@ static void shading_spot_light(const struct accel_pass *pass, const struct accel
  * sides, and leave pixels darker than without the spot.
  */
 static void shading_bound_spots(const struct accel_pass *pass, const struct accel_vertex *a,
-			const struct accel_vertex *middle, const struct accel_vertex *b, int side,
-			float colour[3])
+				const struct accel_vertex *middle, const struct accel_vertex *b,
+				int side, float colour[3])
 {
 	uint8_t any = a->sample.in_cone | b->sample.in_cone | middle->sample.in_cone;
 	uint8_t all = a->sample.in_cone & b->sample.in_cone & middle->sample.in_cone;
@@ -283,14 +292,14 @@ static void shading_bound_spots(const struct accel_pass *pass, const struct acce
 		shading_spot_light(pass, lamp, b, side, of_b);
 		for (int j = 0; j < 3; j++)
 			colour[j] += shading_spot_correction(of_a[j], of_middle[j], of_b[j],
-						     !(all & lamp->bit));
+							     !(all & lamp->bit));
 	}
 }
 
 /* The second-order curve through the light at the middle. */
 static void shading_sampled_edge(const struct accel_pass *pass, const struct accel_vertex *a,
-			 const struct accel_vertex *b, int side, const struct span *span,
-			 struct accel_edge *edge)
+				 const struct accel_vertex *b, int side, const struct span *span,
+				 struct accel_edge *edge)
 {
 	bool adaptive = pass->state->shading == ACCEL_SHADING_ADAPTIVE;
 	struct accel_vertex middle;
@@ -399,6 +408,7 @@ bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 				 patch->edge[2]->colour[i]) -
 			    (patch->vertex[0]->sample.colour[i] +
 			     patch->vertex[1]->sample.colour[i] +
-			     patch->vertex[2]->sample.colour[i])) / 9;
+			     patch->vertex[2]->sample.colour[i])) /
+			   9;
 	return shading_deviation(curve, middle.sample.colour) > CURVE;
 }

@@ -23,7 +23,7 @@ struct cut {
 static int split_draw_part(const struct whole *whole, const struct accel_patch *patch);
 
 static void split_cut_init(const struct whole *whole, const struct accel_patch *patch, int i,
-		     struct cut *cut)
+			   struct cut *cut)
 {
 	const struct accel_vertex *a = patch->vertex[i], *b = patch->vertex[(i + 1) % 3];
 
@@ -39,7 +39,7 @@ static void split_cut_init(const struct whole *whole, const struct accel_patch *
 }
 
 static void split_inner_edge(const struct whole *whole, const struct accel_vertex *a,
-		       const struct accel_vertex *b, struct accel_edge *edge)
+			     const struct accel_vertex *b, struct accel_edge *edge)
 {
 	accel_shading_edge(whole->pass, a, b, whole->side, edge);
 }
@@ -54,14 +54,13 @@ static int split_one(const struct whole *whole, const struct accel_patch *p)
 
 	split_cut_init(whole, p, 0, &cut);
 	split_inner_edge(whole, &cut.middle, v[2], &inner);
-	err = split_draw_part(whole, &(struct accel_patch){
-			{ v[0], &cut.middle, v[2] },
-			{ &cut.half[0], &inner, p->edge[2] } });
+	err = split_draw_part(whole, &(struct accel_patch){ { v[0], &cut.middle, v[2] },
+							    { &cut.half[0], &inner, p->edge[2] } });
 	if (err)
 		return err;
-	return split_draw_part(whole, &(struct accel_patch){
-			 { &cut.middle, v[1], v[2] },
-			 { &cut.half[1], p->edge[1], &inner } });
+	return split_draw_part(whole,
+			       &(struct accel_patch){ { &cut.middle, v[1], v[2] },
+						      { &cut.half[1], p->edge[1], &inner } });
 }
 
 /* Edges 0 and 1: the corner between them, and two from what is left. */
@@ -77,24 +76,24 @@ static int split_two(const struct whole *whole, const struct accel_patch *p)
 	split_inner_edge(whole, &cut[0].middle, &cut[1].middle, &across);
 	split_inner_edge(whole, &cut[0].middle, v[2], &inner);
 	err = split_draw_part(whole, &(struct accel_patch){
-			{ &cut[0].middle, v[1], &cut[1].middle },
-			{ &cut[0].half[1], &cut[1].half[0], &across } });
+					     { &cut[0].middle, v[1], &cut[1].middle },
+					     { &cut[0].half[1], &cut[1].half[0], &across } });
 	if (err)
 		return err;
-	err = split_draw_part(whole, &(struct accel_patch){
-			{ &cut[0].middle, &cut[1].middle, v[2] },
-			{ &across, &cut[1].half[1], &inner } });
+	err = split_draw_part(whole,
+			      &(struct accel_patch){ { &cut[0].middle, &cut[1].middle, v[2] },
+						     { &across, &cut[1].half[1], &inner } });
 	if (err)
 		return err;
-	return split_draw_part(whole, &(struct accel_patch){
-			 { v[0], &cut[0].middle, v[2] },
-			 { &cut[0].half[0], &inner, p->edge[2] } });
+	return split_draw_part(whole,
+			       &(struct accel_patch){ { v[0], &cut[0].middle, v[2] },
+						      { &cut[0].half[0], &inner, p->edge[2] } });
 }
 
 /* All edges: three corners and the middle. */
 static int split_three(const struct whole *whole, const struct accel_patch *p)
 {
-	struct accel_edge inner[3];	/* inner[i] cuts off vertex i */
+	struct accel_edge inner[3]; /* inner[i] cuts off vertex i */
 	struct cut cut[3];
 	int err = 0;
 
@@ -105,15 +104,16 @@ static int split_three(const struct whole *whole, const struct accel_patch *p)
 	for (int i = 0; i < 3 && !err; i++) {
 		const struct cut *before = &cut[(i + 2) % 3];
 
-		err = split_draw_part(whole, &(struct accel_patch){
-			{ p->vertex[i], &cut[i].middle, &before->middle },
-			{ &cut[i].half[0], &inner[i], &before->half[1] } });
+		err = split_draw_part(whole,
+				      &(struct accel_patch){
+					      { p->vertex[i], &cut[i].middle, &before->middle },
+					      { &cut[i].half[0], &inner[i], &before->half[1] } });
 	}
 	if (err)
 		return err;
 	return split_draw_part(whole, &(struct accel_patch){
-		{ &cut[0].middle, &cut[1].middle, &cut[2].middle },
-		{ &inner[1], &inner[2], &inner[0] } });
+					      { &cut[0].middle, &cut[1].middle, &cut[2].middle },
+					      { &inner[1], &inner[2], &inner[0] } });
 }
 
 static struct accel_patch split_rotate(const struct accel_patch *patch, int by)
@@ -224,8 +224,8 @@ static int split_draw_part(const struct whole *whole, const struct accel_patch *
 }
 
 static int split_draw_patch(const struct whole *whole, struct accel_triangle *triangle,
-		      const struct accel_basis *basis, const struct accel_vertex *const vertex[3],
-		      const uint32_t *index)
+			    const struct accel_basis *basis,
+			    const struct accel_vertex *const vertex[3], const uint32_t *index)
 {
 	struct accel_edge edge[3];
 	struct accel_patch patch;

@@ -88,8 +88,7 @@ void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_bas
 		dx = dy = 0;
 	}
 	z += 0.5;
-	plane->narrow = narrow &&
-			fabs(z) + NARROW_REACH * (fabs(dx) + fabs(dy)) < NARROW_DEPTH;
+	plane->narrow = narrow && fabs(z) + NARROW_REACH * (fabs(dx) + fabs(dy)) < NARROW_DEPTH;
 	if (plane->narrow)
 		shift = GLOSS_DEPTH_COMPACT_SHIFT;
 	plane->z = surface_fixed(z, bits - shift) * (1 << shift);
@@ -107,8 +106,8 @@ static struct polynomial surface_linear(double i1, double i2, double i3)
 	return (struct polynomial){ .i = i1, .d = i2 - i1, .e = i3 - i1 };
 }
 
-static struct polynomial surface_second_order(double i1, double i2, double i3, double i12, double i23,
-				      double i31)
+static struct polynomial surface_second_order(double i1, double i2, double i3, double i12,
+					      double i23, double i31)
 {
 	double a = 2 * (i1 + i2 - 2 * i12), b = 2 * (i1 + i3 - 2 * i31);
 
@@ -138,7 +137,7 @@ static bool surface_fit(struct accel_surface *surface, const struct accel_basis 
 	      fabs(yy) < CURVATURE_MAX && fabs(xy) < CURVATURE_MAX))
 		return false;
 	surface->i = surface_fixed_colour(p->i + f->u * (p->d + p->a * f->u + p->c * f->v) +
-				  f->v * (p->e + p->b * f->v) + 0.5);
+					  f->v * (p->e + p->b * f->v) + 0.5);
 	surface->dx = surface_fixed_colour(dx);
 	surface->dy = surface_fixed_colour(dy);
 	surface->dxx = surface_fixed_colour(xx);
@@ -166,15 +165,15 @@ void accel_surface_flat(struct accel_triangle *triangle, const float colour[4])
 }
 
 /* A plane for each of the channels from @first to before @end. */
-static bool surface_fit_linear(struct accel_triangle *triangle, const struct accel_basis *basis, int first,
-		       int end, const float *const colour[3])
+static bool surface_fit_linear(struct accel_triangle *triangle, const struct accel_basis *basis,
+			       int first, int end, const float *const colour[3])
 {
 	bool fits = true;
 
 	for (int i = first; i < end; i++) {
-		const struct polynomial p =
-			surface_linear(255 * (double)colour[0][i], 255 * (double)colour[1][i],
-			       255 * (double)colour[2][i]);
+		const struct polynomial p = surface_linear(255 * (double)colour[0][i],
+							   255 * (double)colour[1][i],
+							   255 * (double)colour[2][i]);
 
 		fits &= surface_fit(&triangle->channel[i], basis, &p);
 	}
@@ -182,17 +181,17 @@ static bool surface_fit_linear(struct accel_triangle *triangle, const struct acc
 }
 
 static void surface_fit_alpha(struct accel_triangle *triangle, const struct accel_basis *basis,
-		      const float *const colour[3])
+			      const float *const colour[3])
 {
 	float a = colour[0][3], b = colour[1][3], c = colour[2][3];
 
 	triangle->constant[3] = surface_constant((a + b + c) / 3);
-	triangle->alpha_linear =
-		(a != b || a != c) && surface_fit_linear(triangle, basis, 3, CHANNELS, colour);
+	triangle->alpha_linear = (a != b || a != c) &&
+				 surface_fit_linear(triangle, basis, 3, CHANNELS, colour);
 }
 
-static void surface_triangle_linear(struct accel_triangle *triangle, const struct accel_basis *basis,
-			    const float *const colour[3])
+static void surface_triangle_linear(struct accel_triangle *triangle,
+				    const struct accel_basis *basis, const float *const colour[3])
 {
 	float mean[CHANNELS];
 
@@ -222,7 +221,7 @@ void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_b
 		accel_surface_flat(triangle, colour[0]);
 	else
 		surface_triangle_linear(triangle, basis,
-				(const float *const[3]){ colour[0], colour[1], colour[2] });
+					(const float *const[3]){ colour[0], colour[1], colour[2] });
 }
 
 /*
@@ -237,7 +236,8 @@ static void surface_bounds(const struct accel_patch *patch, int channel, float *
 		float a = patch->vertex[i]->sample.colour[channel];
 		float b = patch->vertex[(i + 1) % 3]->sample.colour[channel];
 		float end = surface_clamp_unit(a);
-		float control = surface_clamp_unit(2 * patch->edge[i]->colour[channel] - (a + b) / 2);
+		float control = surface_clamp_unit(2 * patch->edge[i]->colour[channel] -
+						   (a + b) / 2);
 
 		*low = end < *low ? end : *low;
 		*high = number_larger(end, *high);
@@ -260,17 +260,18 @@ static bool surface_is_flat(const struct accel_patch *patch, float colour[3])
 	return true;
 }
 
-static bool surface_fit_second_order(struct accel_triangle *triangle, const struct accel_basis *basis,
-			     const struct accel_patch *patch)
+static bool surface_fit_second_order(struct accel_triangle *triangle,
+				     const struct accel_basis *basis,
+				     const struct accel_patch *patch)
 {
 	for (int i = 0; i < 3; i++) {
-		const struct polynomial p =
-			surface_second_order(255 * (double)patch->vertex[0]->sample.colour[i],
-				     255 * (double)patch->vertex[1]->sample.colour[i],
-				     255 * (double)patch->vertex[2]->sample.colour[i],
-				     255 * (double)patch->edge[0]->colour[i],
-				     255 * (double)patch->edge[1]->colour[i],
-				     255 * (double)patch->edge[2]->colour[i]);
+		const struct polynomial p = surface_second_order(
+			255 * (double)patch->vertex[0]->sample.colour[i],
+			255 * (double)patch->vertex[1]->sample.colour[i],
+			255 * (double)patch->vertex[2]->sample.colour[i],
+			255 * (double)patch->edge[0]->colour[i],
+			255 * (double)patch->edge[1]->colour[i],
+			255 * (double)patch->edge[2]->colour[i]);
 
 		if (!surface_fit(&triangle->channel[i], basis, &p))
 			return false;

@@ -21,7 +21,7 @@ static inline struct accel_wide accel_wide_of_sum(double a, double b)
 /* The upper half of a double's digits. */
 static inline double accel_wide_upper(double a)
 {
-	double scaled = a * 134217729;		/* 2^27 + 1 */
+	double scaled = a * 134217729; /* 2^27 + 1 */
 
 	return scaled - (scaled - a);
 }
@@ -32,8 +32,7 @@ static inline struct accel_wide accel_wide_of_product(double a, double b)
 	double product = a * b, a1 = accel_wide_upper(a), b1 = accel_wide_upper(b);
 	double a2 = a - a1, b2 = b - b1;
 
-	return (struct accel_wide){ product,
-				    ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2 };
+	return (struct accel_wide){ product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2 };
 }
 
 static inline struct accel_wide accel_wide_add(struct accel_wide a, struct accel_wide b)
@@ -61,8 +60,7 @@ static inline struct accel_wide accel_wide_multiply(struct accel_wide a, struct 
 {
 	struct accel_wide product = accel_wide_of_product(a.high, b.high);
 
-	return accel_wide_of_sum(product.high,
-				 product.low + (a.high * b.low + a.low * b.high));
+	return accel_wide_of_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
 static inline struct accel_wide accel_wide_divide(struct accel_wide a, struct accel_wide b)

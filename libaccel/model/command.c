@@ -91,8 +91,7 @@ static void run_scissor(struct model *model, const uint32_t *packet)
 	struct gloss_scissor p;
 
 	gloss_scissor_unpack(packet, &p);
-	model->state.scissor = (struct model_scissor){ (int)p.x0, (int)p.y0, (int)p.x1,
-						       (int)p.y1 };
+	model->state.scissor = (struct model_scissor){ (int)p.x0, (int)p.y0, (int)p.x1, (int)p.y1 };
 }
 
 static void run_triangle(struct model *model, const uint32_t *packet)
@@ -132,8 +131,8 @@ int model_init(struct model *model, int tile_size, void *memory, size_t memory_s
 
 static bool slot_valid(const struct model *model, const struct gloss_slot *slot)
 {
-	return !slot->size || (slot->base % 4096 == 0 &&
-			       (uint64_t)slot->base + slot->size <= model->memory_size);
+	return !slot->size ||
+	       (slot->base % 4096 == 0 && (uint64_t)slot->base + slot->size <= model->memory_size);
 }
 
 static bool slots_valid(const struct model *model, const struct accel_job *job)

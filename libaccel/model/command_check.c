@@ -5,20 +5,16 @@
  */
 #include "model.h"
 
-enum place {
-	ANYWHERE,
-	BETWEEN_TILES,
-	INSIDE_TILE
-};
+enum place { ANYWHERE, BETWEEN_TILES, INSIDE_TILE };
 
 /* Checks the payload. @packet starts at the header; *@word is the faulty word, counted from it. */
 typedef enum gloss_fault (*check_fn)(const struct model *model, const uint32_t *packet,
 				     uint32_t *word);
 
 struct rule {
-	uint32_t words_min, words_max;	/* TRIANGLE: one length, by its flags */
+	uint32_t words_min, words_max; /* TRIANGLE: one length, by its flags */
 	enum place place;
-	check_fn payload;		/* NULL: nothing can be wrong with it */
+	check_fn payload; /* NULL: nothing can be wrong with it */
 };
 
 static bool room(const struct model *model, uint32_t used, uint32_t words)
@@ -91,7 +87,8 @@ static enum gloss_fault check_colour_surface(const struct model *model, const ui
 	*word = 1;
 	gloss_colour_surface_unpack(packet, &p);
 	return gloss_colour_surface_invalid(packet + 1) >= 0 || p.pitch % row_bytes(model) ?
-		       GLOSS_FAULT_VALUE : GLOSS_FAULT_NONE;
+		       GLOSS_FAULT_VALUE :
+		       GLOSS_FAULT_NONE;
 }
 
 static enum gloss_fault check_depth_surface(const struct model *model, const uint32_t *packet,
@@ -102,7 +99,8 @@ static enum gloss_fault check_depth_surface(const struct model *model, const uin
 	*word = 1;
 	gloss_depth_surface_unpack(packet, &p);
 	return gloss_depth_surface_invalid(packet + 1) >= 0 || p.pitch % row_bytes(model) ?
-		       GLOSS_FAULT_VALUE : GLOSS_FAULT_NONE;
+		       GLOSS_FAULT_VALUE :
+		       GLOSS_FAULT_NONE;
 }
 
 /* A tile at @offset of a surface. */
@@ -181,7 +179,9 @@ static enum gloss_fault check_scissor(const struct model *model, const uint32_t 
 	*word = 1;
 	gloss_scissor_unpack(packet, &p);
 	return gloss_scissor_invalid(packet + 1) >= 0 || p.x0 > size || p.y0 > size ||
-			       p.x1 > size || p.y1 > size ? GLOSS_FAULT_VALUE : GLOSS_FAULT_NONE;
+			       p.x1 > size || p.y1 > size ?
+		       GLOSS_FAULT_VALUE :
+		       GLOSS_FAULT_NONE;
 }
 
 /* The first of the edges' words that is wrong, or -1. */

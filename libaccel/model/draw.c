@@ -9,9 +9,8 @@
 #include "shade.h"
 
 /* From index MODEL_TILE_MAX - n on: as many lanes that are in as there are pixels left. */
-static const uint32_t inside_lanes[MODEL_TILE_MAX + MODEL_LANES] = {
-	[0 ... MODEL_TILE_MAX - 1] = ~0u
-};
+static const uint32_t inside_lanes[MODEL_TILE_MAX + MODEL_LANES] = { [0 ... MODEL_TILE_MAX -
+								      1] = ~0u };
 
 /* Returns the number of pixels that passed. */
 MODEL_INLINE uint32_t draw_blocks(struct model *model, const struct model_spans *spans,

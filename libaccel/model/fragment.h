@@ -15,7 +15,7 @@
 struct model_test {
 	uint32_t bias;
 	int32_t limit;
-	uint32_t depth_mask, colour_mask;	/* bits that are written */
+	uint32_t depth_mask, colour_mask; /* bits that are written */
 };
 
 struct model_test model_fragment_test(const struct model_state *state);
@@ -25,8 +25,8 @@ struct model_test model_fragment_test(const struct model_state *state);
  * all ones if it passed, else zero.
  */
 MODEL_INLINE uint32_t model_fragment_pixel(const struct model_test *test, uint32_t inside,
-					   uint32_t colour, uint32_t depth,
-					   uint32_t *stored_colour, uint32_t *stored_depth)
+					   uint32_t colour, uint32_t depth, uint32_t *stored_colour,
+					   uint32_t *stored_depth)
 {
 	uint32_t difference = depth - (*stored_depth & MODEL_DEPTH_BITS);
 	uint32_t pass = (int32_t)(difference + test->bias) < test->limit ? ~0u : 0;

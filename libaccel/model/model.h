@@ -34,8 +34,8 @@
 
 /* One edge; the units are those of group edges_wide. */
 struct model_edge {
-	int32_t x, step;		/* s13 */
-	uint32_t r, m, dy;		/* u16 */
+	int32_t x, step;   /* s13 */
+	uint32_t r, m, dy; /* u16 */
 };
 
 /* A second-order surface at the anchor, s10.22; a plane has zero dxx, dxy, dyy. */
@@ -51,7 +51,7 @@ struct model_plane {
 /* A triangle as raster and shade take it, whatever form it was sent in. */
 struct model_triangle {
 	struct model_edge left, right, middle;
-	int first_row, last_row;	/* last_row: rows less one, as it is sent */
+	int first_row, last_row; /* last_row: rows less one, as it is sent */
 	int switch_row, side;
 	struct model_surface red, green, blue, alpha;
 	struct model_plane depth;
@@ -64,14 +64,14 @@ struct model_scissor {
 
 struct model_target {
 	unsigned int slot;
-	uint32_t pitch;			/* bytes; 0: not set */
+	uint32_t pitch; /* bytes; 0: not set */
 };
 
 /* State that packets set and triangles use; reset for every job. */
 struct model_state {
 	enum gloss_compare depth_func;
 	bool depth_write;
-	uint32_t colour_mask;		/* 0xff in each byte that is written */
+	uint32_t colour_mask; /* 0xff in each byte that is written */
 	struct model_scissor scissor;
 	struct model_target colour_surface, depth_surface;
 };
@@ -87,20 +87,20 @@ struct model_tile {
 };
 
 struct model {
-	int tile_size;			/* T: 32 or 64 */
-	uint8_t *memory;		/* board memory, owned by the caller */
-	size_t memory_size;		/* bytes */
+	int tile_size;      /* T: 32 or 64 */
+	uint8_t *memory;    /* board memory, owned by the caller */
+	size_t memory_size; /* bytes */
 
 	/* The job under way. */
 	const struct accel_job *job;
-	uint32_t at;			/* word of the stream the next packet begins at */
-	uint32_t stream_from;		/* word of the stream that job->stream[0] is */
-	uint32_t response_from;		/* word of the response that job->response[0] is */
+	uint32_t at;            /* word of the stream the next packet begins at */
+	uint32_t stream_from;   /* word of the stream that job->stream[0] is */
+	uint32_t response_from; /* word of the response that job->response[0] is */
 	enum gloss_fault fault;
-	uint32_t fault_word;		/* counted from at */
+	uint32_t fault_word; /* counted from at */
 	struct model_state state;
 	struct model_counters counters;
-	uint32_t response_used;		/* words */
+	uint32_t response_used; /* words */
 	bool in_tile;
 	struct model_tile tile;
 };
@@ -114,14 +114,14 @@ struct model_span {
 struct model_walk {
 	const struct model_triangle *triangle;
 	struct model_edge left, right;
-	int row;			/* the next one, counted from the triangle's first */
+	int row; /* the next one, counted from the triangle's first */
 };
 
 /* All rows of a triangle that have pixels. */
 struct model_spans {
 	int rows;
-	int longest;			/* pixels of the longest row */
-	int pixels, blocks;		/* of all rows; MODEL_LANES pixels, or the rest of a row */
+	int longest;        /* pixels of the longest row */
+	int pixels, blocks; /* of all rows; MODEL_LANES pixels, or the rest of a row */
 	int32_t y[MODEL_TILE_MAX + MODEL_LANES];
 	int32_t x0[MODEL_TILE_MAX + MODEL_LANES];
 	int32_t count[MODEL_TILE_MAX + MODEL_LANES];
@@ -207,8 +207,8 @@ void model_shade_span(const struct model_triangle *triangle, int anchor_x,
  * Tests and merges a span into the open tile and counts its pixels. @colour and
  * @depth are those of model_shade_span, also in size.
  */
-void model_fragment_span(struct model *model, const struct model_span *span,
-			 const uint32_t *colour, const uint32_t *depth);
+void model_fragment_span(struct model *model, const struct model_span *span, const uint32_t *colour,
+			 const uint32_t *depth);
 
 /* ---- tile.c: the accesses were checked ---- */
 

@@ -56,15 +56,15 @@ MODEL_INLINE void begin_depth(struct model_shading *restrict shading,
 }
 
 MODEL_CLONES
-void model_shade_begin(struct model_shading *shading, const struct model_triangle *t,
-		       int anchor_x, const struct model_spans *spans)
+void model_shade_begin(struct model_shading *shading, const struct model_triangle *t, int anchor_x,
+		       const struct model_spans *spans)
 {
 	begin_channel(&shading->red, &t->red, spans, anchor_x, t->first_row);
 	begin_channel(&shading->green, &t->green, spans, anchor_x, t->first_row);
 	begin_channel(&shading->blue, &t->blue, spans, anchor_x, t->first_row);
 	begin_depth(shading, &t->depth, spans, anchor_x, t->first_row);
-	shading->alpha_constant =
-		!(t->alpha.dx | t->alpha.dy | t->alpha.dxx | t->alpha.dxy | t->alpha.dyy);
+	shading->alpha_constant = !(t->alpha.dx | t->alpha.dy | t->alpha.dxx | t->alpha.dxy |
+				    t->alpha.dyy);
 	shading->alpha_word = model_shade_level(t->alpha.i) << 24;
 	if (!shading->alpha_constant)
 		begin_channel(&shading->alpha, &t->alpha, spans, anchor_x, t->first_row);
@@ -76,8 +76,11 @@ void model_shade_span(const struct model_triangle *triangle, int anchor_x,
 		      uint32_t *restrict depth)
 {
 	int count = span->x1 - span->x0;
-	struct model_spans spans = { .rows = 1, .longest = count, .y = { span->y },
-				     .x0 = { span->x0 }, .count = { count } };
+	struct model_spans spans = { .rows = 1,
+				     .longest = count,
+				     .y = { span->y },
+				     .x0 = { span->x0 },
+				     .count = { count } };
 	struct model_shading shading;
 	struct model_row row;
 

@@ -15,10 +15,10 @@ struct model_shading {
 		uint32_t i[MODEL_TILE_MAX], dx[MODEL_TILE_MAX];
 		uint32_t bend[MODEL_TILE_MAX];
 	} red, green, blue, alpha;
-	bool alpha_constant;		/* then it is this, in its place in the word */
+	bool alpha_constant; /* then it is this, in its place in the word */
 	uint32_t alpha_word;
-	uint32_t z[MODEL_TILE_MAX], z_low[MODEL_TILE_MAX];	/* of row k */
-	uint32_t rise[MODEL_TILE_MAX], rise_low[MODEL_TILE_MAX];	/* n*dx */
+	uint32_t z[MODEL_TILE_MAX], z_low[MODEL_TILE_MAX];       /* of row k */
+	uint32_t rise[MODEL_TILE_MAX], rise_low[MODEL_TILE_MAX]; /* n*dx */
 };
 
 /* Prepares @shading for the rows in @spans. */
@@ -37,11 +37,16 @@ struct model_row {
 MODEL_INLINE struct model_row model_shade_row(const struct model_shading *s, int k)
 {
 	return (struct model_row){
-		.red = s->red.i[k], .red_dx = s->red.dx[k],
-		.green = s->green.i[k], .green_dx = s->green.dx[k],
-		.blue = s->blue.i[k], .blue_dx = s->blue.dx[k],
-		.alpha = s->alpha.i[k], .alpha_dx = s->alpha.dx[k],
-		.z = s->z[k], .z_low = s->z_low[k],
+		.red = s->red.i[k],
+		.red_dx = s->red.dx[k],
+		.green = s->green.i[k],
+		.green_dx = s->green.dx[k],
+		.blue = s->blue.i[k],
+		.blue_dx = s->blue.dx[k],
+		.alpha = s->alpha.i[k],
+		.alpha_dx = s->alpha.dx[k],
+		.z = s->z[k],
+		.z_low = s->z_low[k],
 	};
 }
 

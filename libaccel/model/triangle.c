@@ -5,18 +5,21 @@
 #include "model.h"
 
 /* Wide and compact edges differ in the places of the fields, not in their names. */
-#define EDGES_SET(triangle, edges) \
-	do { \
-		(triangle)->left = (struct model_edge){ (edges)->left_x, (edges)->left_step, \
-			(edges)->left_r, (edges)->left_m, (edges)->left_dy }; \
-		(triangle)->right = (struct model_edge){ (edges)->right_x, (edges)->right_step, \
-			(edges)->right_r, (edges)->right_m, (edges)->right_dy }; \
+#define EDGES_SET(triangle, edges)                                                                 \
+	do {                                                                                       \
+		(triangle)->left = (struct model_edge){ (edges)->left_x, (edges)->left_step,       \
+							(edges)->left_r, (edges)->left_m,          \
+							(edges)->left_dy };                        \
+		(triangle)->right = (struct model_edge){ (edges)->right_x, (edges)->right_step,    \
+							 (edges)->right_r, (edges)->right_m,       \
+							 (edges)->right_dy };                      \
 		(triangle)->middle = (struct model_edge){ (edges)->middle_x, (edges)->middle_step, \
-			(edges)->middle_r, (edges)->middle_m, (edges)->middle_dy }; \
-		(triangle)->first_row = (int)(edges)->first_row; \
-		(triangle)->last_row = (int)(edges)->last_row; \
-		(triangle)->switch_row = (int)(edges)->switch_row; \
-		(triangle)->side = (int)(edges)->side; \
+							  (edges)->middle_r, (edges)->middle_m,    \
+							  (edges)->middle_dy };                    \
+		(triangle)->first_row = (int)(edges)->first_row;                                   \
+		(triangle)->last_row = (int)(edges)->last_row;                                     \
+		(triangle)->switch_row = (int)(edges)->switch_row;                                 \
+		(triangle)->side = (int)(edges)->side;                                             \
 	} while (0)
 
 static const uint32_t *unpack_edges(const uint32_t *words, enum gloss_geometry geometry,
@@ -87,8 +90,8 @@ static const uint32_t *unpack_plane(const uint32_t *words, struct model_surface 
 /* The order of the words is that of the struct, channel after channel. */
 static const uint32_t *unpack_surface(const uint32_t *words, struct model_surface *surface)
 {
-	*surface = (struct model_surface){ words[0], words[1], words[2], words[3], words[4],
-					   words[5] };
+	*surface = (struct model_surface){ words[0], words[1], words[2],
+					   words[3], words[4], words[5] };
 	return words + GLOSS_COLOUR_SECOND_ORDER_WORDS / 3;
 }
 

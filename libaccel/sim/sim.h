@@ -28,8 +28,8 @@ struct gloss_sim_clocks {
 };
 
 struct gloss_sim_ops {
-	uint32_t abi;			/* GLOSS_SIM_ABI */
-	uint32_t version;		/* GLOSS_VERSION the core was built from */
+	uint32_t abi;     /* GLOSS_SIM_ABI */
+	uint32_t version; /* GLOSS_VERSION the core was built from */
 	uint32_t tile_size, pixels_per_clock, stream_bits;
 
 	/*

@@ -14,10 +14,9 @@
 
 #include "sim/sim_port.h"
 
-template <class Core, unsigned Lanes>
-class SimMemory
+template <class Core, unsigned Lanes> class SimMemory
 {
-public:
+      public:
 	SimMemory(void *bytes, uint64_t size) : bytes_(static_cast<uint8_t *>(bytes)), size_(size)
 	{
 	}
@@ -44,8 +43,8 @@ public:
 	{
 		now_++;
 		core.axi_arready_i = reads_.size() < Outstanding && stalls.pass(SimPort::Ar);
-		core.axi_awready_i =
-			writes_.size() + answers_.size() < Outstanding && stalls.pass(SimPort::Aw);
+		core.axi_awready_i = writes_.size() + answers_.size() < Outstanding &&
+				     stalls.pass(SimPort::Aw);
 		core.axi_wready_i = ahead_.size() < Ahead && stalls.pass(SimPort::W);
 		drive_read(core, stalls);
 		drive_answer(core, stalls);
@@ -58,7 +57,7 @@ public:
 		return sample_write(core, stalls, violation) || moved;
 	}
 
-private:
+      private:
 	static constexpr unsigned BeatBytes = 4 * Lanes;
 	static constexpr unsigned Outstanding = 8;
 	static constexpr unsigned Ahead = 64; /* W beats taken before their AW */
@@ -84,7 +83,10 @@ private:
 		return now_ + (stalls.on() ? stalls.below(64) : Latency);
 	}
 
-	bool inside(uint64_t address) const { return address + BeatBytes <= size_; }
+	bool inside(uint64_t address) const
+	{
+		return address + BeatBytes <= size_;
+	}
 
 	Burst burst(uint32_t address, unsigned length, SimStalls &stalls, const char *&violation)
 	{

@@ -18,8 +18,7 @@ inline uint32_t sim_get(uint64_t port, unsigned i)
 {
 	return static_cast<uint32_t>(port >> 32 * i);
 }
-template <class Wide>
-uint32_t sim_get(const Wide &port, unsigned i)
+template <class Wide> uint32_t sim_get(const Wide &port, unsigned i)
 {
 	return port[i];
 }
@@ -32,8 +31,7 @@ inline void sim_set(uint64_t &port, unsigned i, uint32_t word)
 {
 	port = (port & ~(uint64_t{ 0xffffffff } << 32 * i)) | uint64_t{ word } << 32 * i;
 }
-template <class Wide>
-void sim_set(Wide &port, unsigned i, uint32_t word)
+template <class Wide> void sim_set(Wide &port, unsigned i, uint32_t word)
 {
 	port[i] = word;
 }
@@ -43,10 +41,15 @@ enum class SimPort { Stream, Response, Status, Aw, W, B, Ar, R, Count };
 /* Decides by a seed when ports stall. Seed 0: never. */
 class SimStalls
 {
-public:
-	explicit SimStalls(uint64_t seed) : state_(seed) {}
+      public:
+	explicit SimStalls(uint64_t seed) : state_(seed)
+	{
+	}
 
-	bool on() const { return state_ != 0; }
+	bool on() const
+	{
+		return state_ != 0;
+	}
 
 	/* Each job draws anew how often each port stalls: never, seldom, often, mostly. */
 	void begin_job()
@@ -71,18 +74,23 @@ public:
 		return static_cast<uint32_t>((state_ * 0x2545f4914f6cdd1d >> 32) * limit >> 32);
 	}
 
-private:
+      private:
 	uint64_t state_;
 	uint8_t rate_[static_cast<unsigned>(SimPort::Count)] = {};
 };
 
 /* Watches a port: what is valid and not taken stays valid and the same. */
-template <unsigned Words>
-class SimHeld
+template <unsigned Words> class SimHeld
 {
-public:
-	bool waiting() const { return waiting_; }
-	void reset() { waiting_ = false; }
+      public:
+	bool waiting() const
+	{
+		return waiting_;
+	}
+	void reset()
+	{
+		waiting_ = false;
+	}
 
 	bool holds(bool valid, bool ready, const uint32_t *words, unsigned count)
 	{
@@ -93,7 +101,7 @@ public:
 		return held;
 	}
 
-private:
+      private:
 	bool waiting_ = false;
 	uint32_t words_[Words] = {};
 };

@@ -9,13 +9,13 @@
 #include "transport/thread.h"
 
 struct accel_engine_job {
-	struct accel_job_entry entry;	/* first, so that an entry is its job */
-	struct accel_engine_job *next;	/* to be run after it */
+	struct accel_job_entry entry;  /* first, so that an entry is its job */
+	struct accel_engine_job *next; /* to be run after it */
 	bool ended;
-	int error;			/* of the engine */
+	int error; /* of the engine */
 	struct gloss_status status;
 	struct accel_job job;
-	uint32_t *stream;		/* until it has ended */
+	uint32_t *stream; /* until it has ended */
 };
 
 static size_t engine_bytes(const struct accel_engine_job *job)

@@ -32,16 +32,16 @@ struct accel_engine_job;
 struct accel_engine {
 	accel_engine_run run;
 	void *data;
-	void *memory;			/* zero but for what live ranges hold */
+	void *memory; /* zero but for what live ranges hold */
 	uint64_t memory_size;
-	struct accel_range_space ranges;	/* under the device's lock */
+	struct accel_range_space ranges; /* under the device's lock */
 	pthread_t thread;
-	pthread_mutex_t lock;		/* protects what follows */
+	pthread_mutex_t lock; /* protects what follows */
 	pthread_cond_t submitted, ended;
-	struct accel_job_table jobs;	/* until they were waited for */
-	struct accel_engine_job *first, **last;	/* to be run, and the one that runs */
+	struct accel_job_table jobs;            /* until they were waited for */
+	struct accel_engine_job *first, **last; /* to be run, and the one that runs */
 	uint64_t sequence;
-	size_t queued;			/* bytes of streams that have not been run */
+	size_t queued; /* bytes of streams that have not been run */
 	bool stop;
 };
 

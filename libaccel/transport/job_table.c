@@ -23,8 +23,7 @@ void accel_job_table_fini(struct accel_job_table *table, void (*drop)(struct acc
 		free((void *)table->bucket);
 }
 
-static struct accel_job_entry **table_bucket(const struct accel_job_table *table,
-					     uint64_t sequence)
+static struct accel_job_entry **table_bucket(const struct accel_job_table *table, uint64_t sequence)
 {
 	return &table->bucket[sequence & (table->buckets - 1)];
 }
@@ -70,8 +69,7 @@ void accel_job_table_put(struct accel_job_table *table, struct accel_job_entry *
 	table->count++;
 }
 
-struct accel_job_entry *accel_job_table_find(const struct accel_job_table *table,
-					     uint64_t sequence)
+struct accel_job_entry *accel_job_table_find(const struct accel_job_table *table, uint64_t sequence)
 {
 	struct accel_job_entry *entry = *table_bucket(table, sequence);
 

@@ -13,12 +13,12 @@
 
 /* Part of a job. */
 struct accel_job_entry {
-	struct accel_job_entry *next;	/* of the same bucket */
+	struct accel_job_entry *next; /* of the same bucket */
 	uint64_t sequence;
 };
 
 struct accel_job_table {
-	struct accel_job_entry **bucket;	/* of sequence modulo buckets, a power of two */
+	struct accel_job_entry **bucket; /* of sequence modulo buckets, a power of two */
 	size_t buckets, count;
 	struct accel_job_entry *first[ACCEL_JOB_TABLE_FIRST];
 };

@@ -9,12 +9,11 @@
 #include "transport/option.h"
 
 struct transport_model {
-	struct accel_engine engine;	/* first, see engine.h */
+	struct accel_engine engine; /* first, see engine.h */
 	struct model model;
 };
 
-static int transport_model_run(void *data, const struct accel_job *job,
-			       struct gloss_status *status)
+static int transport_model_run(void *data, const struct accel_job *job, struct gloss_status *status)
 {
 	return model_run(data, job, status);
 }
@@ -37,8 +36,7 @@ static int transport_model_open(const char *where, void **state,
 	transport = malloc(sizeof(*transport));
 	if (!transport)
 		return -ENOMEM;
-	err = accel_engine_init(&transport->engine, memory, transport_model_run,
-				&transport->model);
+	err = accel_engine_init(&transport->engine, memory, transport_model_run, &transport->model);
 	if (err)
 		goto err_free;
 	err = model_init(&transport->model, (int)tile, transport->engine.memory, memory);

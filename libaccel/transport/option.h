@@ -12,7 +12,7 @@ struct accel_option {
 	const char *name;
 	uint64_t min, max;
 	uint64_t multiple_of;
-	uint64_t *value;		/* keeps its default if the option is not given */
+	uint64_t *value; /* keeps its default if the option is not given */
 };
 
 /*

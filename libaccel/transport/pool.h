@@ -13,7 +13,7 @@
 /* The first member of a transport's buffer. */
 struct accel_pool_buffer {
 	struct accel_pool_buffer *next;
-	uint64_t size;			/* bytes there are, at least as many as asked for */
+	uint64_t size; /* bytes there are, at least as many as asked for */
 };
 
 struct accel_pool_kind {
@@ -27,9 +27,9 @@ struct accel_pool_kind {
 
 struct accel_pool {
 	const struct accel_pool_kind *kind;
-	void *data;			/* for its functions */
-	pthread_mutex_t lock;		/* protects unused */
-	struct accel_pool_buffer *unused;	/* the latest first */
+	void *data;                       /* for its functions */
+	pthread_mutex_t lock;             /* protects unused */
+	struct accel_pool_buffer *unused; /* the latest first */
 };
 
 void accel_pool_init(struct accel_pool *pool, const struct accel_pool_kind *kind, void *data);

@@ -11,9 +11,9 @@
 #define ACCEL_RANGE_ALIGN 4096u
 
 struct accel_range {
-	uint64_t base;			/* multiple of ACCEL_RANGE_ALIGN */
-	uint64_t size;			/* as asked for */
-	struct accel_range *next;	/* the one with the next higher base */
+	uint64_t base;            /* multiple of ACCEL_RANGE_ALIGN */
+	uint64_t size;            /* as asked for */
+	struct accel_range *next; /* the one with the next higher base */
 };
 
 struct accel_range_space {

@@ -20,11 +20,11 @@
 #define JOB_CLOCKS 4096
 
 struct transport_sim {
-	struct accel_engine engine;	/* first, see engine.h */
+	struct accel_engine engine; /* first, see engine.h */
 	void *plugin;
 	const struct gloss_sim_ops *ops;
 	struct gloss_sim *sim;
-	pthread_mutex_t lock;		/* protects clocks */
+	pthread_mutex_t lock; /* protects clocks */
 	struct accel_device_clocks clocks;
 };
 
@@ -153,7 +153,8 @@ static int sim_load(struct transport_sim *transport, uint64_t tile, uint64_t lan
 		if (err != -ENOENT)
 			return err;
 	}
-	accel_transport_say(error, "accel-sim-t%u-k%u.so is not installed; it was looked for in "
+	accel_transport_say(error,
+			    "accel-sim-t%u-k%u.so is not installed; it was looked for in "
 			    "$GLOSS_SIM_PATH, sim/ beside the library, and " ACCEL_SIM_DIR,
 			    (unsigned int)tile, (unsigned int)lanes);
 	return -ENOSYS;
@@ -165,8 +166,7 @@ struct sim_options {
 	uint64_t tile, lanes, memory, stalls;
 };
 
-static int sim_parse(const char *where, struct sim_options *to,
-		     struct accel_transport_error *error)
+static int sim_parse(const char *where, struct sim_options *to, struct accel_transport_error *error)
 {
 	const struct accel_option options[] = {
 		{ "tile", 32, 64, 0, &to->tile },

@@ -21,16 +21,16 @@
 
 /* What a board says of itself. */
 struct accel_transport_info {
-	char name[64];			/* for people: "model", "Verilated core", ... */
-	uint32_t version;		/* GLOSS_VERSION of the board */
-	uint32_t tile_size;		/* 32 or 64 */
-	uint32_t pixels_per_clock;	/* 1, 2, 4, 8 */
-	uint64_t memory_size;		/* bytes of board memory */
+	char name[64];             /* for people: "model", "Verilated core", ... */
+	uint32_t version;          /* GLOSS_VERSION of the board */
+	uint32_t tile_size;        /* 32 or 64 */
+	uint32_t pixels_per_clock; /* 1, 2, 4, 8 */
+	uint64_t memory_size;      /* bytes of board memory */
 };
 
 /* A range of board memory that a job may use. */
 struct accel_transport_slot {
-	uint64_t object;		/* from memory_new */
+	uint64_t object; /* from memory_new */
 	enum gloss_rights rights;
 };
 
@@ -42,13 +42,13 @@ struct accel_transport_part {
 
 /* A job in the library's terms; see struct accel_job. */
 struct accel_transport_job {
-	const uint32_t *stream;		/* NULL: it is in parts */
-	const struct accel_transport_part *part;	/* as many as have stream_words together */
+	const uint32_t *stream;                  /* NULL: it is in parts */
+	const struct accel_transport_part *part; /* as many as have stream_words together */
 	uint32_t stream_words;
 	uint32_t *response;
 	uint32_t response_words;
 	const struct accel_transport_slot *slot;
-	uint32_t slots;			/* at most GLOSS_SLOTS */
+	uint32_t slots; /* at most GLOSS_SLOTS */
 };
 
 /* Why a board did not open, in one line for people; empty: errno says it all. */

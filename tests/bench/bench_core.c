@@ -84,10 +84,18 @@ static void begin_stream(struct bench *b)
 static void surfaces(struct bench *b)
 {
 	struct gloss_colour_second_order p = {
-		.red = 20u << GLOSS_COLOUR_FRACTION, .red_dx = 3u << 20, .red_dy = 1u << 20,
-		.red_dxx = 1u << 12, .red_dxy = 1u << 11, .red_dyy = 1u << 13,
-		.green = 90u << GLOSS_COLOUR_FRACTION, .green_dx = 1u << 19, .green_dyy = 1u << 13,
-		.blue = 200u << GLOSS_COLOUR_FRACTION, .blue_dy = -(1u << 21), .blue_dxy = 1u << 12,
+		.red = 20u << GLOSS_COLOUR_FRACTION,
+		.red_dx = 3u << 20,
+		.red_dy = 1u << 20,
+		.red_dxx = 1u << 12,
+		.red_dxy = 1u << 11,
+		.red_dyy = 1u << 13,
+		.green = 90u << GLOSS_COLOUR_FRACTION,
+		.green_dx = 1u << 19,
+		.green_dyy = 1u << 13,
+		.blue = 200u << GLOSS_COLOUR_FRACTION,
+		.blue_dy = -(1u << 21),
+		.blue_dxy = 1u << 12,
 	};
 	uint32_t words[GLOSS_COLOUR_SECOND_ORDER_WORDS];
 
@@ -107,8 +115,9 @@ static void triangle_header(struct bench *b, enum gloss_geometry geometry)
 /* A triangle over the whole tile, said so or by its edges. */
 static void full_tile(struct bench *b, enum gloss_geometry geometry)
 {
-	struct gloss_edges_wide edges = { .left_dy = 1, .last_row = TILE - 1,
-					  .right_x = TILE, .right_dy = 1, .middle_dy = 1 };
+	struct gloss_edges_wide edges = {
+		.left_dy = 1, .last_row = TILE - 1, .right_x = TILE, .right_dy = 1, .middle_dy = 1
+	};
 	struct gloss_depth_wide depth = { .z = 1000u << GLOSS_DEPTH_FRACTION };
 	uint32_t words[GLOSS_EDGES_WIDE_WORDS + GLOSS_DEPTH_WIDE_WORDS], count = 0;
 
@@ -130,10 +139,16 @@ static void small_triangle(struct bench *b, unsigned int side, unsigned int n)
 {
 	unsigned int x = n * 13 % (TILE - side + 1), y = n * 29 % (TILE - side + 1);
 	struct gloss_edges_compact edges = {
-		.left_x = (int32_t)x, .left_dy = 16, .middle_dy = 16,
-		.right_x = (int32_t)x + (side == 1), .right_step = 1,
-		.right_r = 8 * side, .right_m = 16, .right_dy = 16 * side,
-		.first_row = y, .last_row = side - 1,
+		.left_x = (int32_t)x,
+		.left_dy = 16,
+		.middle_dy = 16,
+		.right_x = (int32_t)x + (side == 1),
+		.right_step = 1,
+		.right_r = 8 * side,
+		.right_m = 16,
+		.right_dy = 16 * side,
+		.first_row = y,
+		.last_row = side - 1,
 	};
 	struct gloss_depth_compact depth = { .z = 1000 << 6 };
 	uint32_t words[GLOSS_EDGES_COMPACT_WORDS + GLOSS_DEPTH_COMPACT_WORDS];
@@ -158,7 +173,9 @@ static uint64_t run(struct bench *b, uint32_t *covered)
 {
 	uint32_t response[GLOSS_COUNTER_WORDS];
 	struct accel_job job = {
-		.stream = b->words, .response = response, .response_words = GLOSS_COUNTER_WORDS,
+		.stream = b->words,
+		.response = response,
+		.response_words = GLOSS_COUNTER_WORDS,
 		.slot[0] = { 0, MEMORY, GLOSS_RIGHTS_READ_WRITE },
 	};
 	struct gloss_sim_clocks clocks;
@@ -190,10 +207,11 @@ static uint64_t run_triangles(struct bench *b, draw_fn draw, unsigned int arg, u
 }
 
 struct rate {
-	double clocks, pixels;		/* a triangle */
+	double clocks, pixels; /* a triangle */
 };
 
-static struct rate triangle_rate(struct bench *b, draw_fn draw, unsigned int arg, unsigned int count)
+static struct rate triangle_rate(struct bench *b, draw_fn draw, unsigned int arg,
+				 unsigned int count)
 {
 	uint32_t few_pixels, many_pixels;
 	uint64_t few = run_triangles(b, draw, arg, count, &few_pixels);

@@ -21,7 +21,7 @@
 #include "scene/mesh.h"
 
 #define ROUNDS 3
-#define WIDTH 500			/* of a torus of 4 * WIDTH * WIDTH triangles */
+#define WIDTH 500 /* of a torus of 4 * WIDTH * WIDTH triangles */
 
 struct cost {
 	double seconds, megabytes;
@@ -77,8 +77,8 @@ static void read_alone(const char *path)
 
 static void load_alone(const char *path)
 {
-	import(path, aiProcess_Triangulate | aiProcess_ForceGenNormals |
-			     aiProcess_GenSmoothNormals);
+	import(path,
+	       aiProcess_Triangulate | aiProcess_ForceGenNormals | aiProcess_GenSmoothNormals);
 }
 
 static void load_mesh(const char *path)
@@ -127,8 +127,9 @@ int main(void)
 	}
 	unlink(path);
 	printf("# %d triangles of STL: assimp's reading %.2f s, %.0f MB; with its normals %.2f s, "
-	       "%.0f MB; as a mesh %.2f s, %.0f MB\n", 4 * WIDTH * WIDTH, reading.seconds,
-	       reading.megabytes, alone.seconds, alone.megabytes, mesh.seconds, mesh.megabytes);
+	       "%.0f MB; as a mesh %.2f s, %.0f MB\n",
+	       4 * WIDTH * WIDTH, reading.seconds, reading.megabytes, alone.seconds,
+	       alone.megabytes, mesh.seconds, mesh.megabytes);
 	printf("load.time.vs_assimp %.2f\nload.memory.vs_assimp %.2f\n",
 	       mesh.seconds / alone.seconds, mesh.megabytes / alone.megabytes);
 	printf("load.time.vs_reading %.2f\nload.memory.vs_reading %.2f\n",

@@ -26,12 +26,12 @@
 
 #define WIDTH 640
 #define HEIGHT 480
-#define SECONDS 4			/* for each scene */
+#define SECONDS 4 /* for each scene */
 #define ROUNDS_MIN 5
 
 enum way {
 	PHONG,
-	PHONG_VERTICES,			/* the same without triangles: clearing and vertices */
+	PHONG_VERTICES, /* the same without triangles: clearing and vertices */
 	QUADRATIC,
 	ADAPTIVE,
 	WAYS
@@ -39,8 +39,8 @@ enum way {
 
 /* Seconds a frame. */
 struct cost {
-	double frame;			/* of the process */
-	double board;			/* of those, not of the calling thread: the model's */
+	double frame; /* of the process */
+	double board; /* of those, not of the calling thread: the model's */
 };
 
 struct bench {
@@ -90,8 +90,8 @@ static struct cost draw(struct bench *bench, enum way way)
 	if (way == PHONG || way == PHONG_VERTICES)
 		draw_phong(bench, way == PHONG);
 	else
-		draw_model(bench, way == QUADRATIC ? ACCEL_SHADING_QUADRATIC :
-						     ACCEL_SHADING_ADAPTIVE);
+		draw_model(bench,
+			   way == QUADRATIC ? ACCEL_SHADING_QUADRATIC : ACCEL_SHADING_ADAPTIVE);
 	caller = seconds(CLOCK_THREAD_CPUTIME_ID) - caller;
 	cost.frame = seconds(CLOCK_PROCESS_CPUTIME_ID) - process;
 	cost.board = cost.frame - caller;
@@ -170,10 +170,10 @@ static void measure(struct bench *bench, const char *scene, const char *suffix)
 	pixels = covered(bench) * 1e-6;
 	phong = best[PHONG].frame - best[PHONG_VERTICES].frame;
 	printf("# %s, %.0f pixels. Mpixel/s, pixels: Phong %.1f, second order %.1f, adaptive %.1f; "
-	       "frame: %.1f, %.1f, %.1f\n", scene, pixels * 1e6, pixels / phong,
-	       pixels / best[QUADRATIC].board, pixels / best[ADAPTIVE].board,
-	       pixels / best[PHONG].frame, pixels / best[QUADRATIC].frame,
-	       pixels / best[ADAPTIVE].frame);
+	       "frame: %.1f, %.1f, %.1f\n",
+	       scene, pixels * 1e6, pixels / phong, pixels / best[QUADRATIC].board,
+	       pixels / best[ADAPTIVE].board, pixels / best[PHONG].frame,
+	       pixels / best[QUADRATIC].frame, pixels / best[ADAPTIVE].frame);
 	printf("shade.speed.vs_phong%s %.2f\nshade.speed.vs_phong.frame%s %.2f\n", suffix,
 	       phong / best[QUADRATIC].board, suffix, best[PHONG].frame / best[QUADRATIC].frame);
 	if (!*suffix)

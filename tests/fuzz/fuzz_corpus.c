@@ -5,7 +5,7 @@
 
 #include "fuzz_input.h"
 
-#define WORDS_MAX 600			/* short ones, so that many are tried in a second */
+#define WORDS_MAX 600 /* short ones, so that many are tried in a second */
 
 static void put_head(const struct stream_random *r, uint8_t head[FUZZ_HEAD_BYTES])
 {

@@ -26,8 +26,8 @@ static struct {
 	struct fuzz_usb_head head;
 	const uint8_t *data;
 	size_t left;
-	uint32_t pass;			/* honest words yet to come */
-	uint32_t made_up;		/* words of a chunk yet to come */
+	uint32_t pass;    /* honest words yet to come */
+	uint32_t made_up; /* words of a chunk yet to come */
 	uint32_t nonce;
 	/* Of the answer that leaves: words yet to come of a chunk, of a completion; its checksum. */
 	uint32_t chunk, completion, checksum;
@@ -159,7 +159,7 @@ static uint32_t in_chunk(uint32_t *words)
 	uint32_t count = take_half();
 
 	gloss_usb_response_pack(words, &(struct gloss_usb_response){
-		.count = count, .mark = GLOSS_USB_RESPONSE_MAGIC });
+					       .count = count, .mark = GLOSS_USB_RESPONSE_MAGIC });
 	hostile.made_up = count;
 	return GLOSS_USB_RESPONSE_WORDS;
 }
@@ -178,9 +178,11 @@ static uint32_t in_completion(uint32_t *words)
 
 static uint32_t in_sync(uint32_t *words)
 {
-	gloss_usb_sync_pack(words, &(struct gloss_usb_sync){
-		.mark = GLOSS_USB_SYNC_MAGIC, .nonce = hostile.nonce,
-		.nonce_complement = ~hostile.nonce, .mark_complement = ~GLOSS_USB_SYNC_MAGIC });
+	gloss_usb_sync_pack(words,
+			    &(struct gloss_usb_sync){ .mark = GLOSS_USB_SYNC_MAGIC,
+						      .nonce = hostile.nonce,
+						      .nonce_complement = ~hostile.nonce,
+						      .mark_complement = ~GLOSS_USB_SYNC_MAGIC });
 	return GLOSS_USB_SYNC_WORDS;
 }
 
@@ -286,10 +288,19 @@ static void board_reset(struct gloss_usb_board *board)
 }
 
 static const struct gloss_usb_board_ops hostile_ops = {
-	.abi = GLOSS_USB_BOARD_ABI, .version = GLOSS_VERSION, .tile_size = 64,
-	.pixels_per_clock = 1, .create = board_create, .destroy = board_destroy,
-	.read = board_read, .write = board_write, .out = board_out, .in = board_in,
-	.event = board_event, .work = board_work, .reset = board_reset,
+	.abi = GLOSS_USB_BOARD_ABI,
+	.version = GLOSS_VERSION,
+	.tile_size = 64,
+	.pixels_per_clock = 1,
+	.create = board_create,
+	.destroy = board_destroy,
+	.read = board_read,
+	.write = board_write,
+	.out = board_out,
+	.in = board_in,
+	.event = board_event,
+	.work = board_work,
+	.reset = board_reset,
 };
 
 /* ---- its descriptors ---- */
@@ -297,7 +308,10 @@ static const struct gloss_usb_board_ops hostile_ops = {
 static const char *text(unsigned int which, const char *right)
 {
 	const char *const texts[] = {
-		right, NULL, "", "\x01\x7f\xff%s%n/../, \"quoted\" and longer than any name ought "
+		right,
+		NULL,
+		"",
+		"\x01\x7f\xff%s%n/../, \"quoted\" and longer than any name ought "
 		"to be: 0123456789012345678901234567890123456789012345678901234567890123456789",
 	};
 

@@ -25,24 +25,24 @@
 
 /* Of flags. */
 #define FUZZ_USB_SUPER 0x01u
-#define FUZZ_USB_SMALL 0x02u		/* tiles of 32 pixels */
-#define FUZZ_USB_DESCRIPTORS 0x04u	/* those below are used */
+#define FUZZ_USB_SMALL 0x02u       /* tiles of 32 pixels */
+#define FUZZ_USB_DESCRIPTORS 0x04u /* those below are used */
 #define FUZZ_USB_REGISTERS 0x08u
-#define FUZZ_USB_AFTER 0x30u		/* what comes when the bytes have ended */
+#define FUZZ_USB_AFTER 0x30u /* what comes when the bytes have ended */
 #define FUZZ_USB_AFTER_SILENCE 0x10u
-#define FUZZ_USB_AFTER_ENDLESS 0x20u	/* made-up words; anything else: honest ones */
-#define FUZZ_USB_CHECKSUMS 0x40u	/* they are as the words say, and mostly wrong */
+#define FUZZ_USB_AFTER_ENDLESS 0x20u /* made-up words; anything else: honest ones */
+#define FUZZ_USB_CHECKSUMS 0x40u     /* they are as the words say, and mostly wrong */
 
 struct fuzz_usb_head {
 	uint8_t flags;
-	uint8_t jobs, response;		/* how many of them, and pages they ask for */
+	uint8_t jobs, response; /* how many of them, and pages they ask for */
 	/* Of the descriptors; all but the counts xor what is right. */
 	uint8_t interface_class, interface_subclass, interface_protocol;
 	uint8_t interfaces, endpoints;
-	uint8_t endpoint[3][2];		/* address and attributes */
-	uint8_t texts;			/* bits 1:0: serial number, 3:2: product */
-	uint8_t fault[FUZZ_USB_FAULTS][3];	/* kind, at, root of a 16th of the value */
-	uint8_t call, error;		/* this call fails; 0: none */
+	uint8_t endpoint[3][2];            /* address and attributes */
+	uint8_t texts;                     /* bits 1:0: serial number, 3:2: product */
+	uint8_t fault[FUZZ_USB_FAULTS][3]; /* kind, at, root of a 16th of the value */
+	uint8_t call, error;               /* this call fails; 0: none */
 };
 
 #endif

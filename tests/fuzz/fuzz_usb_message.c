@@ -19,7 +19,7 @@ struct outcome {
 	struct accel_usb_answer answer[JOBS];
 	unsigned int ended, syncs;
 	bool garbled;
-	uint8_t checksums;		/* of the input: bit n is set: job n's is not set right */
+	uint8_t checksums; /* of the input: bit n is set: job n's is not set right */
 };
 
 static void check(bool condition)
@@ -41,7 +41,8 @@ static void outcome_init(struct outcome *outcome, const uint8_t *room)
 	*outcome = (struct outcome){ .ended = 0 };
 	for (uint32_t n = 0; n < JOBS; n++)
 		outcome->answer[n] = (struct accel_usb_answer){
-			.sequence = n, .stream_words = FUZZ_MESSAGE_STREAM_WORDS,
+			.sequence = n,
+			.stream_words = FUZZ_MESSAGE_STREAM_WORDS,
 			.response = memory(4 * (size_t)FUZZ_MESSAGE_ROOM * room[n]),
 			.response_words = FUZZ_MESSAGE_ROOM * room[n],
 		};
@@ -50,8 +51,8 @@ static void outcome_init(struct outcome *outcome, const uint8_t *room)
 static enum accel_usb_message take(struct accel_usb_parser *parser, struct outcome *outcome,
 				   const uint32_t **words, size_t *count)
 {
-	struct accel_usb_answer *answer =
-		outcome->ended < JOBS ? &outcome->answer[outcome->ended] : NULL;
+	struct accel_usb_answer *answer = outcome->ended < JOBS ? &outcome->answer[outcome->ended] :
+								  NULL;
 	size_t before = *count;
 	const uint32_t *from = *words;
 	enum accel_usb_message message = accel_usb_message_take(parser, answer, words, count);

@@ -35,10 +35,11 @@ static void put_sync(struct input *input, uint64_t *seed)
 {
 	while (below(seed, 2))
 		input->word[input->count++] = below(seed, 1000);
-	gloss_usb_sync_pack(input->word + input->count, &(struct gloss_usb_sync){
-		.mark = GLOSS_USB_SYNC_MAGIC, .nonce = FUZZ_MESSAGE_NONCE,
-		.nonce_complement = ~FUZZ_MESSAGE_NONCE,
-		.mark_complement = ~GLOSS_USB_SYNC_MAGIC });
+	gloss_usb_sync_pack(input->word + input->count,
+			    &(struct gloss_usb_sync){ .mark = GLOSS_USB_SYNC_MAGIC,
+						      .nonce = FUZZ_MESSAGE_NONCE,
+						      .nonce_complement = ~FUZZ_MESSAGE_NONCE,
+						      .mark_complement = ~GLOSS_USB_SYNC_MAGIC });
 	input->count += GLOSS_USB_SYNC_WORDS;
 }
 
@@ -47,8 +48,9 @@ static uint32_t put_chunk(struct input *input, uint32_t count, uint32_t sum)
 {
 	const uint32_t *words = input->word + input->count + GLOSS_USB_RESPONSE_WORDS;
 
-	gloss_usb_response_pack(input->word + input->count, &(struct gloss_usb_response){
-		.count = count, .mark = GLOSS_USB_RESPONSE_MAGIC });
+	gloss_usb_response_pack(input->word + input->count,
+				&(struct gloss_usb_response){ .count = count,
+							      .mark = GLOSS_USB_RESPONSE_MAGIC });
 	input->count += GLOSS_USB_RESPONSE_WORDS;
 	for (uint32_t n = 0; n < count; n++)
 		input->word[input->count++] = n;
@@ -61,8 +63,8 @@ static void put_completion(struct input *input, const struct gloss_usb_completio
 	uint32_t *words = input->word + input->count;
 
 	gloss_usb_completion_pack(words, completion);
-	words[GLOSS_USB_COMPLETION_CHECKSUM_WORD] =
-		accel_usb_checksum(sum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
+	words[GLOSS_USB_COMPLETION_CHECKSUM_WORD] = accel_usb_checksum(
+		sum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
 	input->count += GLOSS_USB_COMPLETION_WORDS;
 }
 
@@ -78,12 +80,15 @@ static void put_job(struct input *input, uint32_t job, uint64_t *seed)
 		sum = put_chunk(input, GLOSS_USB_CHUNK_WORDS, sum);
 	if (left)
 		sum = put_chunk(input, left, sum);
-	put_completion(input, &(struct gloss_usb_completion){
-		.cause = fault ? GLOSS_FAULT_SLOT : GLOSS_FAULT_NONE,
-		.mark = GLOSS_USB_COMPLETION_MAGIC, .sequence = job,
-		.offset = fault ? below(seed, FUZZ_MESSAGE_STREAM_WORDS) :
-				  FUZZ_MESSAGE_STREAM_WORDS,
-		.response_words = words }, sum);
+	put_completion(input,
+		       &(struct gloss_usb_completion){
+			       .cause = fault ? GLOSS_FAULT_SLOT : GLOSS_FAULT_NONE,
+			       .mark = GLOSS_USB_COMPLETION_MAGIC,
+			       .sequence = job,
+			       .offset = fault ? below(seed, FUZZ_MESSAGE_STREAM_WORDS) :
+						 FUZZ_MESSAGE_STREAM_WORDS,
+			       .response_words = words },
+		       sum);
 }
 
 static int write_input(const struct input *input, const char *path)

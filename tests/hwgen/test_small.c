@@ -41,9 +41,9 @@ static void hwgen_invalid_finds_the_first_bad_word(void **state)
 
 	(void)state;
 	assert_int_equal(small_place_invalid(place), -1);
-	place[1] = 1;					/* a word without fields */
+	place[1] = 1; /* a word without fields */
 	assert_int_equal(small_place_invalid(place), 1);
-	place[0] = 1u << 15;				/* between two fields */
+	place[0] = 1u << 15; /* between two fields */
 	assert_int_equal(small_place_invalid(place), 0);
 }
 
@@ -67,7 +67,8 @@ static void hwgen_invalid_knows_ranges_and_gaps(void **state)
 	}
 	for (size_t i = 0; i < sizeof(extents) / sizeof(extents[0]); i++) {
 		small_extent_pack(words, &(struct small_extent){
-			.level = extents[i].level, .mode = (enum small_power)extents[i].mode });
+						 .level = extents[i].level,
+						 .mode = (enum small_power)extents[i].mode });
 		assert_int_equal(small_extent_invalid(words), extents[i].invalid);
 	}
 }
@@ -105,11 +106,11 @@ static void hwgen_header_valid_knows_bits_enums_and_ranges(void **state)
 	assert_true(small_opcode_known(0xff));
 	assert_false(small_opcode_known(0x03));
 	assert_true(small_header_valid(0x01000005));
-	assert_false(small_header_valid(0x01000805));	/* reserved */
+	assert_false(small_header_valid(0x01000805)); /* reserved */
 	assert_true(small_header_valid(0xffc83000));
-	assert_false(small_header_valid(0xffc93000));	/* count 201 */
-	assert_false(small_header_valid(0xffc83800));	/* form 3 */
-	assert_false(small_header_valid(0xff004000));	/* reserved */
+	assert_false(small_header_valid(0xffc93000)); /* count 201 */
+	assert_false(small_header_valid(0xffc83800)); /* form 3 */
+	assert_false(small_header_valid(0xff004000)); /* reserved */
 }
 
 static void hwgen_masks_and_packers_agree(void **state)

@@ -19,7 +19,7 @@
 #include "scene/quality.h"
 
 #define LIMIT 2.5e-4
-#define SIZE 512			/* pixels of the picture; the mesh is 480 high or wide */
+#define SIZE 512 /* pixels of the picture; the mesh is 480 high or wide */
 #define FILL (480.0f / SIZE)
 #define METHODS 3
 #define SETTINGS 2
@@ -32,7 +32,7 @@ static const enum accel_shading methods[METHODS] = {
 
 static const float sun[5][3] = {
 	{ 0.3f, 0.4f, 0.866f }, { -0.6f, 0.5f, 0.62f }, { 0.7f, -0.3f, 0.3f },
-	{ 0.05f, -0.1f, 1 }, { -0.2f, -0.8f, 0.2f },
+	{ 0.05f, -0.1f, 1 },    { -0.2f, -0.8f, 0.2f },
 };
 
 struct bench {
@@ -42,12 +42,12 @@ struct bench {
 	struct scene scene;
 	struct phong_frame reference;
 	uint32_t *colour, *depth;
-	float modelview[16];		/* mesh to a sphere of radius 1, turned */
+	float modelview[16]; /* mesh to a sphere of radius 1, turned */
 };
 
 struct result {
 	struct quality quality[METHODS];
-	uint64_t drawn[METHODS];	/* triangles */
+	uint64_t drawn[METHODS]; /* triangles */
 };
 
 static void die(const char *what)

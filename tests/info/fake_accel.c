@@ -19,7 +19,7 @@ struct accel_device {
 static const struct answer {
 	const char *name;
 	int error;
-	const char *message;		/* NULL: none */
+	const char *message; /* NULL: none */
 } answers[] = {
 	{ "board:", 0, NULL },
 	{ "evil:", 0, NULL },

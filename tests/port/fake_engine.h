@@ -17,7 +17,7 @@ struct fake_engine {
 	uint32_t begun, ended;
 	uint32_t stream[FAKE_STREAM_MAX];
 	uint32_t taken, answered;
-	bool window_short;		/* was ever shorter than it may be */
+	bool window_short; /* was ever shorter than it may be */
 };
 
 /* @fake with a bite of 1. */

@@ -14,15 +14,15 @@
 
 struct pair {
 	const char *program, *plugin;
-	uint64_t seed, random;			/* of the round */
-	uint8_t *memory[2];			/* the model's, the plugin's */
+	uint64_t seed, random; /* of the round */
+	uint8_t *memory[2];    /* the model's, the plugin's */
 	struct stream_random stream;
 };
 
 /* What a program does with a pair; functions that are int return 1 for a failure. */
 struct pair_test {
 	const char *program;
-	const char *symbol;			/* of the plugin */
+	const char *symbol; /* of the plugin */
 	/* Takes what the symbol stands for. False: it is no board of this tree. */
 	bool (*load)(struct pair *pair, const void *ops);
 	/* Board memory is filled and the same; so are random numbers. */

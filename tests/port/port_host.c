@@ -25,7 +25,8 @@ static uint8_t *host_at(const struct port_host *host, uint64_t address, uint32_t
 	uint64_t offset = address - PORT_HOST_BASE;
 
 	return offset < PORT_HOST_BYTES && bytes <= PORT_HOST_BYTES - offset ?
-	       host->memory + offset : NULL;
+		       host->memory + offset :
+		       NULL;
 }
 
 static uint8_t *host_access(struct port_host *host, uint64_t address, uint32_t bytes, bool write)
@@ -51,8 +52,8 @@ static enum gloss_dma host_read(void *data, uint64_t address, void *to, uint32_t
 
 static bool is_completion(const struct port_host *host, uint64_t address)
 {
-	return host->completion && address - host->completion <
-				   (uint64_t)4 * GLOSS_COMPLETION_WORDS << host->log2;
+	return host->completion && address - host->completion < (uint64_t)4 * GLOSS_COMPLETION_WORDS
+									<< host->log2;
 }
 
 static enum gloss_dma host_write(void *data, uint64_t address, const void *from, uint32_t bytes)
@@ -207,8 +208,7 @@ uint64_t port_host_list(struct port_host *host, uint32_t words)
 uint64_t port_host_word(const struct port_host *host, uint64_t list, uint32_t word)
 {
 	uint64_t entry = list + (uint64_t)8 * (word / (GLOSS_PAGE_BYTES / 4));
-	uint64_t page = (uint64_t)port_host_get(host, entry + 4) << 32 |
-			port_host_get(host, entry);
+	uint64_t page = (uint64_t)port_host_get(host, entry + 4) << 32 | port_host_get(host, entry);
 
 	return (page & ~(uint64_t)(GLOSS_PAGE_BYTES - 1)) + 4 * (word % (GLOSS_PAGE_BYTES / 4));
 }

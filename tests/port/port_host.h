@@ -17,7 +17,7 @@
 /* Inside the arena an address' upper half has a carry. */
 #define PORT_HOST_BASE UINT64_C(0x1fffff8000)
 #define PORT_HOST_BYTES (4u << 20)
-#define PORT_HOST_ARENA (64u << 10)		/* of it, for rings, lists and slot tables */
+#define PORT_HOST_ARENA (64u << 10) /* of it, for rings, lists and slot tables */
 #define PORT_HOST_PAGES ((PORT_HOST_BYTES - PORT_HOST_ARENA) / GLOSS_PAGE_BYTES)
 #define PORT_HOST_ACCESSES 512
 
@@ -34,22 +34,22 @@ struct port_host {
 	uint8_t *memory;
 
 	uint32_t arena_used, pages_used;
-	uint32_t page[PORT_HOST_PAGES];	/* in random order */
+	uint32_t page[PORT_HOST_PAGES]; /* in random order */
 
 	uint64_t ring, completion;
 	uint32_t log2, tail;
 
 	/* What the board did. */
-	struct port_access access[PORT_HOST_ACCESSES];	/* the first ones */
+	struct port_access access[PORT_HOST_ACCESSES]; /* the first ones */
 	uint64_t accesses;
 	bool level;
 	uint32_t levels, events;
 
 	/* What shall happen. */
-	uint64_t refuse;		/* the access, counted from 1, that is refused; 0: none */
-	uint64_t poison;		/* so are accesses that touch these bytes */
+	uint64_t refuse; /* the access, counted from 1, that is refused; 0: none */
+	uint64_t poison; /* so are accesses that touch these bytes */
 	uint32_t poison_bytes;
-	uint32_t later;			/* writes of completions that are to be asked again */
+	uint32_t later; /* writes of completions that are to be asked again */
 	void (*on_event)(struct port_host *host);
 };
 

@@ -22,28 +22,28 @@
 /* What happens to a batch of jobs. */
 enum kind {
 	PLAIN,
-	LATE,		/* completions are asked for again */
-	PAUSED,		/* enable is taken away and given back */
-	POISONED,	/* an address of a job is refused */
-	REFUSED,	/* some access, another one on each board */
-	RESET,		/* at some time, another one on each board */
-	WILD,		/* the last job is one that no driver submits */
+	LATE,     /* completions are asked for again */
+	PAUSED,   /* enable is taken away and given back */
+	POISONED, /* an address of a job is refused */
+	REFUSED,  /* some access, another one on each board */
+	RESET,    /* at some time, another one on each board */
+	WILD,     /* the last job is one that no driver submits */
 	KINDS
 };
 
-static const char *const kind_names[KINDS] = { "plain", "late", "paused", "poisoned", "refused",
-					       "reset", "wild" };
+static const char *const kind_names[KINDS] = { "plain",   "late",  "paused", "poisoned",
+					       "refused", "reset", "wild" };
 
 struct test {
-	struct pair pair;			/* first: a pair is the test */
-	const struct gloss_board_ops *ops[2];	/* the model's, the plugin's */
+	struct pair pair;                     /* first: a pair is the test */
+	const struct gloss_board_ops *ops[2]; /* the model's, the plugin's */
 	struct port_host host[2];
 	bool started;
 
-	struct gloss_job_descriptor job[JOBS];	/* of the batch */
-	struct gloss_job_descriptor made[JOBS];	/* before they were made wild */
+	struct gloss_job_descriptor job[JOBS];  /* of the batch */
+	struct gloss_job_descriptor made[JOBS]; /* before they were made wild */
 	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
-	uint32_t jobs, first;			/* first: its number in HEAD's count */
+	uint32_t jobs, first; /* first: its number in HEAD's count */
 	uint32_t sequence;
 
 	uint64_t batches[KINDS], ended, errors;
@@ -233,11 +233,15 @@ static uint64_t pick_poison(struct test *test, uint32_t n, uint32_t *bytes)
 	case 3:
 		*bytes = GLOSS_PAGE_BYTES;
 		return d->stream_words ? port_host_word(&test->host[0], stream,
-			below(test, d->stream_words) / PAGE_WORDS * PAGE_WORDS) : 0;
+							below(test, d->stream_words) / PAGE_WORDS *
+								PAGE_WORDS) :
+					 0;
 	case 4:
 		*bytes = GLOSS_PAGE_BYTES;
 		return d->response_words ? port_host_word(&test->host[0], response,
-			below(test, d->response_words) / PAGE_WORDS * PAGE_WORDS) : 0;
+							  below(test, d->response_words) /
+								  PAGE_WORDS * PAGE_WORDS) :
+					   0;
 	default:
 		return entry_address(test, test->host[0].completion, 16, n);
 	}
@@ -246,8 +250,7 @@ static uint64_t pick_poison(struct test *test, uint32_t n, uint32_t *bytes)
 static void arm(struct test *test, enum kind kind)
 {
 	uint32_t bytes = 0, later = kind == LATE ? below(test, 20) : below(test, 2) * ~0u;
-	uint64_t poison = kind == POISONED ?
-			  pick_poison(test, below(test, test->jobs), &bytes) : 0;
+	uint64_t poison = kind == POISONED ? pick_poison(test, below(test, test->jobs), &bytes) : 0;
 
 	for (uint32_t side = 0; side < 2; side++) {
 		struct port_host *host = &test->host[side];
@@ -405,7 +408,8 @@ static int check(struct test *test, enum kind kind)
 		return check_refused(test, kind);
 	if (stopped)
 		return check_poisoned(test);
-	if (compare_registers(test, false) || compare_host(test) || pair_compare_memory(&test->pair))
+	if (compare_registers(test, false) || compare_host(test) ||
+	    pair_compare_memory(&test->pair))
 		return 1;
 	test->ended += test->jobs;
 	test->first += test->jobs;
@@ -478,8 +482,9 @@ static void report(const struct pair *pair, uint64_t rounds)
 	const struct test *test = (const struct test *)pair;
 
 	printf("test_boards: T=%u K=%u: %" PRIu64 " rounds, %" PRIu64 " jobs compared, %" PRIu64
-	       " DMA errors; batches", test->ops[1]->tile_size, test->ops[1]->pixels_per_clock,
-	       rounds, test->ended, test->errors);
+	       " DMA errors; batches",
+	       test->ops[1]->tile_size, test->ops[1]->pixels_per_clock, rounds, test->ended,
+	       test->errors);
 	for (int n = 0; n < KINDS; n++)
 		printf(" %s %" PRIu64, kind_names[n], test->batches[n]);
 	printf("\n");

@@ -18,35 +18,35 @@
 #include "usb_host.h"
 
 #define BATCHES 3
-#define JOBS 4					/* with a loss as many events as may wait */
+#define JOBS 4 /* with a loss as many events as may wait */
 
 /* What happens to a batch of jobs. */
 enum kind {
 	PLAIN,
-	FULL,		/* IN is not read for a while */
-	TORN,		/* the host stops at some word */
-	LOST,		/* no job begins with the word behind them */
-	HEAD,		/* a bit of a job's length, room or sequence is wrong */
-	CHECKSUM,	/* a bit of a job's checksum is wrong */
-	RESET,		/* at some time, another one on each board */
-	WILD,		/* a bit of anything is wrong */
+	FULL,     /* IN is not read for a while */
+	TORN,     /* the host stops at some word */
+	LOST,     /* no job begins with the word behind them */
+	HEAD,     /* a bit of a job's length, room or sequence is wrong */
+	CHECKSUM, /* a bit of a job's checksum is wrong */
+	RESET,    /* at some time, another one on each board */
+	WILD,     /* a bit of anything is wrong */
 	KINDS
 };
 
-static const char *const kind_names[KINDS] = { "plain", "full", "torn", "lost", "head",
-					       "checksum", "reset", "wild" };
+static const char *const kind_names[KINDS] = { "plain", "full",     "torn",  "lost",
+					       "head",  "checksum", "reset", "wild" };
 
 struct test {
-	struct pair pair;			/* first: a pair is the test */
-	const struct gloss_usb_board_ops *ops[2];	/* the model's, the plugin's */
+	struct pair pair;                         /* first: a pair is the test */
+	const struct gloss_usb_board_ops *ops[2]; /* the model's, the plugin's */
 	struct usb_host host[2];
 	bool synchronised;
 	uint32_t nonce, sequence;
-	struct usb_words stale;			/* words of before the reset that come after it */
+	struct usb_words stale; /* words of before the reset that come after it */
 
 	/* The batch. */
 	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
-	uint32_t head[JOBS];			/* where each begins in OUT */
+	uint32_t head[JOBS]; /* where each begins in OUT */
 	uint32_t jobs;
 
 	/* A stream has stopped, and the plugin's core takes several words at once, or none. */
@@ -118,8 +118,7 @@ static int compare_channels(struct test *test)
 {
 	struct usb_host *model = &test->host[0], *other = &test->host[1];
 
-	if (compare_begun(test) ||
-	    compare_count(test, "OUT words taken", model->sent, other->sent))
+	if (compare_begun(test) || compare_count(test, "OUT words taken", model->sent, other->sent))
 		return 1;
 	if (test->short_of_words)
 		return 0;
@@ -373,7 +372,8 @@ static int check(struct test *test, enum kind kind)
 	if (kind == RESET)
 		return compare_begun(test) || check_torn(test);
 	test->short_of_words = test->ops[1]->pixels_per_clock > 1 &&
-		(usb_host_read(&test->host[0], GLOSS_REG_STATUS) & GLOSS_REG_STATUS_RUNNING);
+			       (usb_host_read(&test->host[0], GLOSS_REG_STATUS) &
+				GLOSS_REG_STATUS_RUNNING);
 	if (compare_channels(test) || compare_registers(test))
 		return 1;
 	test->short_of_words = false;
@@ -451,8 +451,8 @@ static void report(const struct pair *pair, uint64_t rounds)
 	const struct test *test = (const struct test *)pair;
 
 	printf("test_usb_boards: T=%u K=%u: %" PRIu64 " rounds, %" PRIu64
-	       " IN words compared; batches", test->ops[1]->tile_size,
-	       test->ops[1]->pixels_per_clock, rounds, test->words);
+	       " IN words compared; batches",
+	       test->ops[1]->tile_size, test->ops[1]->pixels_per_clock, rounds, test->words);
 	for (int n = 0; n < KINDS; n++)
 		printf(" %s %" PRIu64, kind_names[n], test->batches[n]);
 	printf("\n");

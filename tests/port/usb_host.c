@@ -51,11 +51,11 @@ void usb_host_fini(struct usb_host *host)
 static void sync_words(uint32_t *words, uint32_t nonce)
 {
 	gloss_usb_sync_pack(words, &(struct gloss_usb_sync){
-		.mark = GLOSS_USB_SYNC_MAGIC,
-		.nonce = nonce,
-		.nonce_complement = ~nonce,
-		.mark_complement = ~GLOSS_USB_SYNC_MAGIC,
-	});
+					   .mark = GLOSS_USB_SYNC_MAGIC,
+					   .nonce = nonce,
+					   .nonce_complement = ~nonce,
+					   .mark_complement = ~GLOSS_USB_SYNC_MAGIC,
+				   });
 }
 
 void usb_host_sync(struct usb_host *host, uint32_t nonce)
@@ -72,26 +72,28 @@ void usb_host_job(struct usb_host *host, const struct accel_job *job, uint32_t s
 	uint32_t words[GLOSS_USB_JOB_WORDS], from;
 
 	gloss_usb_job_pack(words, &(struct gloss_usb_job){
-		.slots = slots,
-		.mark = GLOSS_USB_JOB_MAGIC,
-		.sequence = sequence,
-		.stream_words = job->stream_words,
-		.response_words = job->response_words,
-	});
+					  .slots = slots,
+					  .mark = GLOSS_USB_JOB_MAGIC,
+					  .sequence = sequence,
+					  .stream_words = job->stream_words,
+					  .response_words = job->response_words,
+				  });
 	from = host->out.count + GLOSS_USB_JOB_STREAM_WORDS_WORD;
 	usb_words_add(&host->out, words, GLOSS_USB_JOB_WORDS);
 	for (uint32_t n = 0; n < slots; n++) {
 		gloss_slot_entry_pack(words, &(struct gloss_slot_entry){
-			.base = job->slot[n].base,
-			.size = job->slot[n].size,
-			.rights = job->slot[n].rights,
-		});
+						     .base = job->slot[n].base,
+						     .size = job->slot[n].size,
+						     .rights = job->slot[n].rights,
+					     });
 		usb_words_add(&host->out, words, GLOSS_SLOT_ENTRY_WORDS);
 	}
 	usb_words_add(&host->out, job->stream, job->stream_words);
-	gloss_usb_job_end_pack(words, &(struct gloss_usb_job_end){
-		.checksum = accel_usb_checksum(0, host->out.word + from, host->out.count - from),
-	});
+	gloss_usb_job_end_pack(words,
+			       &(struct gloss_usb_job_end){
+				       .checksum = accel_usb_checksum(0, host->out.word + from,
+								      host->out.count - from),
+			       });
 	usb_words_add(&host->out, words, GLOSS_USB_JOB_END_WORDS);
 }
 
@@ -218,7 +220,7 @@ static bool host_message(struct usb_host *host, bool *completion)
 	gloss_usb_completion_unpack(words, &host->completion);
 	sum = accel_usb_checksum(0, host->response.word, host->response.count);
 	return accel_usb_checksum(sum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD) ==
-	       host->completion.checksum &&
+		       host->completion.checksum &&
 	       host->completion.mark == GLOSS_USB_COMPLETION_MAGIC && !(words[0] & 0xfff0) &&
 	       host->completion.response_words == host->response.count;
 }

@@ -22,17 +22,17 @@ struct usb_words {
 struct usb_host {
 	const struct gloss_usb_board_ops *ops;
 	struct gloss_usb_board *board;
-	uint32_t offer, take;		/* words of OUT and IN at a time; a take of 0: none */
+	uint32_t offer, take; /* words of OUT and IN at a time; a take of 0: none */
 
-	struct usb_words out;		/* to be sent */
-	uint32_t sent;			/* of them */
-	struct usb_words in;		/* that came */
-	struct usb_words burst;		/* counts of IN words at which a burst ended */
-	struct usb_words event;		/* two words each */
+	struct usb_words out;   /* to be sent */
+	uint32_t sent;          /* of them */
+	struct usb_words in;    /* that came */
+	struct usb_words burst; /* counts of IN words at which a burst ended */
+	struct usb_words event; /* two words each */
 
 	/* What was read of IN. */
 	uint32_t read, bursts_read;
-	struct usb_words response;	/* of the last job */
+	struct usb_words response; /* of the last job */
 	struct gloss_usb_completion completion;
 };
 

@@ -14,8 +14,9 @@ extern "C" {
 }
 #include "tb.h"
 
-class CommandStream {
-public:
+class CommandStream
+{
+      public:
 	CommandStream(Random &random, unsigned int tile_size) : random(random), tile(tile_size)
 	{
 		for (gloss_slot &slot : job.slot)
@@ -34,7 +35,7 @@ public:
 
 	accel_job job = {};
 
-private:
+      private:
 	struct surface {
 		unsigned int slot;
 		uint32_t pitch;
@@ -47,7 +48,8 @@ private:
 
 		slot.size = size[random.below(6)] + (random.chance(20) ? random.below(4096) : 0);
 		slot.base = slot.size > 0x80000000 ? 0 : random.below(0x80000) << 12;
-		slot.rights = (gloss_rights)(random.chance(80) ? GLOSS_RIGHTS_READ_WRITE : random.below(4));
+		slot.rights = (gloss_rights)(random.chance(80) ? GLOSS_RIGHTS_READ_WRITE :
+								 random.below(4));
 		return slot;
 	}
 
@@ -66,7 +68,9 @@ private:
 			return 0 - align;
 		case 3:
 			return random.bits();
-		case 4: case 5: case 6:
+		case 4:
+		case 5:
+		case 6:
 			return (uint32_t)last;
 		default:
 			return (uint32_t)(random.bits64() % (last / align + 1)) * align;
@@ -78,7 +82,8 @@ private:
 		unsigned int n = random.below(16);
 
 		for (int tries = 0; tries < 64 && random.chance(99); tries++) {
-			if (job.slot[n].rights == GLOSS_RIGHTS_READ_WRITE && job.slot[n].size >= extent)
+			if (job.slot[n].rights == GLOSS_RIGHTS_READ_WRITE &&
+			    job.slot[n].size >= extent)
 				break;
 			n = random.below(16);
 		}
@@ -106,7 +111,8 @@ private:
 
 	void write_memory()
 	{
-		uint32_t count = random.chance(90) ? random.between(1, 20) : random.between(1, 2045);
+		uint32_t count = random.chance(90) ? random.between(1, 20) :
+						     random.between(1, 2045);
 		unsigned int n = slot(4 * count);
 
 		header(GLOSS_OP_WRITE_MEMORY, 0, count + 2);
@@ -154,7 +160,8 @@ private:
 	gloss_tile_output output(const surface &s)
 	{
 		return s.pitch || random.chance(3) ? (gloss_tile_output)random.below(3) :
-		       random.chance(50) ? GLOSS_TILE_OUTPUT_DROP : GLOSS_TILE_OUTPUT_ANSWER;
+		       random.chance(50)           ? GLOSS_TILE_OUTPUT_DROP :
+						     GLOSS_TILE_OUTPUT_ANSWER;
 	}
 
 	void tile_end()
@@ -162,8 +169,10 @@ private:
 		gloss_tile_output c = output(colour), d = output(depth);
 
 		header(GLOSS_OP_TILE_END, c << 11 | d << 13, 2);
-		words.push_back(c == GLOSS_TILE_OUTPUT_STORE ? tile_offset(colour) : random.chance(2));
-		words.push_back(d == GLOSS_TILE_OUTPUT_STORE ? tile_offset(depth) : random.chance(2));
+		words.push_back(c == GLOSS_TILE_OUTPUT_STORE ? tile_offset(colour) :
+							       random.chance(2));
+		words.push_back(d == GLOSS_TILE_OUTPUT_STORE ? tile_offset(depth) :
+							       random.chance(2));
 		in_tile = false;
 	}
 
@@ -187,11 +196,13 @@ private:
 		gloss_triangle_pack(&word, &p);
 		words.push_back(word);
 		fill(gloss_triangle_length(&p));
-		clear_reserved(&words[start + 1], p, first, random.below(tile - first + random.chance(2)));
+		clear_reserved(&words[start + 1], p, first,
+			       random.below(tile - first + random.chance(2)));
 	}
 
 	/* Turns random words into a right payload. */
-	void clear_reserved(uint32_t *payload, const gloss_triangle &p, uint32_t first, uint32_t rows)
+	void clear_reserved(uint32_t *payload, const gloss_triangle &p, uint32_t first,
+			    uint32_t rows)
 	{
 		if (p.geometry == GLOSS_GEOMETRY_WIDE) {
 			gloss_edges_wide e;
@@ -253,7 +264,8 @@ private:
 			return header(GLOSS_OP_COLOUR_MASK, random.below(16) << 11, 0);
 		case 5:
 			return scissor();
-		case 6: case 7:
+		case 6:
+		case 7:
 			return in_tile ? tile_end() : between_tiles();
 		default:
 			return in_tile ? triangle() : between_tiles();

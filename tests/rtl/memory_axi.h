@@ -12,12 +12,15 @@
 
 #include "tb.h"
 
-template <class Top> class MemoryAxi {
-public:
+template <class Top> class MemoryAxi
+{
+      public:
 	/* When an address of a write is taken. */
 	enum Address { ANY_TIME, WITH_DATA, AFTER_DATA };
 
-	MemoryAxi(Random &random, size_t size) : words(size), random(random) {}
+	MemoryAxi(Random &random, size_t size) : words(size), random(random)
+	{
+	}
 
 	void steady(int clocks)
 	{
@@ -38,13 +41,15 @@ public:
 	void drive(Top &top, uint64_t clock)
 	{
 		top.axi_arready_i = !hold(ar_stall) && reads.size() < 64;
-		top.axi_rvalid_i = r_offered || (!reads.empty() && reads.front().due <= clock && !hold(r_stall));
+		top.axi_rvalid_i = r_offered ||
+				   (!reads.empty() && reads.front().due <= clock && !hold(r_stall));
 		r_offered = top.axi_rvalid_i;
 		top.axi_bvalid_i = !writes.empty() && writes.front().due <= clock;
 		top.axi_wready_i = !hold(w_stall);
 		top.axi_awready_i = !hold(aw_stall) && (address == ANY_TIME ||
-			(address == WITH_DATA && (top.axi_wvalid_o || !data.empty())) ||
-			(address == AFTER_DATA && full_bursts > 0));
+							(address == WITH_DATA &&
+							 (top.axi_wvalid_o || !data.empty())) ||
+							(address == AFTER_DATA && full_bursts > 0));
 		top.axi_bresp_i = top.axi_bvalid_i ? take_error(write_errors) : 3;
 		top.axi_rresp_i = 3;
 		if (top.axi_rvalid_i)
@@ -62,12 +67,15 @@ public:
 		match(clock);
 	}
 
-	bool quiet() const { return reads.empty() && writes.empty() && addresses.empty() && data.empty(); }
+	bool quiet() const
+	{
+		return reads.empty() && writes.empty() && addresses.empty() && data.empty();
+	}
 
 	std::vector<uint32_t> words;
-	int write_errors = -1, read_errors = -1;	/* responses until one is an error */
+	int write_errors = -1, read_errors = -1; /* responses until one is an error */
 
-private:
+      private:
 	static const uint32_t beat_bytes = 4 * LANES;
 
 	struct Burst {
@@ -83,7 +91,10 @@ private:
 		bool last;
 	};
 
-	bool hold(Stall &stall) { return stalls && stall.now(); }
+	bool hold(Stall &stall)
+	{
+		return stalls && stall.now();
+	}
 
 	static unsigned int take_error(int &count)
 	{
@@ -98,8 +109,10 @@ private:
 				clock + 1 + random.between(latency_min, latency_max), 0 };
 		uint32_t last = address + burst.beats * beat_bytes - 1;
 
-		TB_CHECK(address % beat_bytes == 0 && last / 4 < words.size(), "burst at %08x", address);
-		TB_CHECK(address / 4096 == last / 4096, "burst of %d at %08x crosses 4 KiB", burst.beats, address);
+		TB_CHECK(address % beat_bytes == 0 && last / 4 < words.size(), "burst at %08x",
+			 address);
+		TB_CHECK(address / 4096 == last / 4096, "burst of %d at %08x crosses 4 KiB",
+			 burst.beats, address);
 		return burst;
 	}
 
@@ -112,13 +125,15 @@ private:
 		beat_is_new = false;
 		top.axi_rresp_i = read_resp;
 		for (int l = 0; l < LANES; l++)
-			tb_set(top.axi_rdata_i, 32 * l, 32, words[read.address / 4 + read.beat * LANES + l]);
+			tb_set(top.axi_rdata_i, 32 * l, 32,
+			       words[read.address / 4 + read.beat * LANES + l]);
 		top.axi_rlast_i = read.beat + 1 == read.beats;
 	}
 
 	void sample_read(Top &top, uint64_t clock)
 	{
-		TB_CHECK(!ar_waits || (top.axi_arvalid_o && top.axi_araddr_o == ar_address), "AR is taken back");
+		TB_CHECK(!ar_waits || (top.axi_arvalid_o && top.axi_araddr_o == ar_address),
+			 "AR is taken back");
 		ar_waits = top.axi_arvalid_o && !top.axi_arready_i;
 		ar_address = top.axi_araddr_o;
 		if (top.axi_arvalid_o && top.axi_arready_i)
@@ -133,7 +148,8 @@ private:
 
 	void sample_address(Top &top)
 	{
-		TB_CHECK(!aw_waits || (top.axi_awvalid_o && top.axi_awaddr_o == aw_address), "AW is taken back");
+		TB_CHECK(!aw_waits || (top.axi_awvalid_o && top.axi_awaddr_o == aw_address),
+			 "AW is taken back");
 		aw_waits = top.axi_awvalid_o && !top.axi_awready_i;
 		aw_address = top.axi_awaddr_o;
 		if (top.axi_awvalid_o && top.axi_awready_i)
@@ -146,7 +162,8 @@ private:
 		w_waits = top.axi_wvalid_o && !top.axi_wready_i;
 		if (!top.axi_wvalid_o)
 			return;
-		TB_CHECK((int)addresses.size() + aw_waits > full_bursts, "data come before their address");
+		TB_CHECK((int)addresses.size() + aw_waits > full_bursts,
+			 "data come before their address");
 		if (!top.axi_wready_i)
 			return;
 		Beat beat;
@@ -166,7 +183,8 @@ private:
 			Burst write = addresses.front();
 
 			for (int n = 0; n < write.beats; n++) {
-				TB_CHECK(data.front().last == (n + 1 == write.beats), "last beat in the wrong place");
+				TB_CHECK(data.front().last == (n + 1 == write.beats),
+					 "last beat in the wrong place");
 				store(write.address + n * beat_bytes, data.front());
 				data.pop_front();
 			}
@@ -196,11 +214,11 @@ private:
 	Stall ar_stall{ random }, r_stall{ random }, aw_stall{ random }, w_stall{ random };
 	bool ar_waits = false, aw_waits = false, w_waits = false;
 	uint32_t ar_address = 0, aw_address = 0;
-	int full_bursts = 0;			/* in data */
+	int full_bursts = 0; /* in data */
 
 	std::deque<Burst> reads;
-	std::deque<Burst> addresses, writes;	/* without data; to be acknowledged */
-	std::deque<Beat> data;			/* without address */
+	std::deque<Burst> addresses, writes; /* without data; to be acknowledged */
+	std::deque<Beat> data;               /* without address */
 };
 
 #endif

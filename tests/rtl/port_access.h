@@ -8,8 +8,9 @@
 
 #include "tb.h"
 
-template <class Top> class PortAccess : public Bench<Top> {
-public:
+template <class Top> class PortAccess : public Bench<Top>
+{
+      public:
 	explicit PortAccess(uint64_t seed) : random(seed)
 	{
 		top.memory_pages_i = 0x12345;
@@ -18,8 +19,14 @@ public:
 
 	virtual ~PortAccess() = default;
 
-	uint32_t read(uint32_t offset) { return access(false, offset, 0); }
-	void write(uint32_t offset, uint32_t value) { access(true, offset, value); }
+	uint32_t read(uint32_t offset)
+	{
+		return access(false, offset, 0);
+	}
+	void write(uint32_t offset, uint32_t value)
+	{
+		access(true, offset, value);
+	}
 
 	/* One clock: the port's bus and core, and drive_access and sample_access for the rest. */
 	virtual void clock() = 0;
@@ -34,9 +41,9 @@ public:
 	using Bench<Top>::clocks;
 
 	Random random;
-	uint64_t access_clock = 0;		/* in which the last one acted */
+	uint64_t access_clock = 0; /* in which the last one acted */
 
-protected:
+      protected:
 	void drive_access()
 	{
 		if (!top.memory_stop_o)
@@ -56,7 +63,7 @@ protected:
 		access_answer = top.reg_rdata_o;
 	}
 
-private:
+      private:
 	uint32_t access(bool write, uint32_t offset, uint32_t value)
 	{
 		top.reg_valid_i = 1;

@@ -18,11 +18,11 @@ struct PortJob {
 	std::vector<uint32_t> stream;
 	PortAnswer answer;
 	std::vector<PortSlot> slots;
-	uint32_t entry;				/* in the ring */
-	uint64_t table;				/* of slots */
-	std::vector<uint64_t> pages;		/* of the response */
-	std::vector<uint32_t> expected;		/* all words of these */
-	std::vector<uint64_t> starts;		/* of what is its own: slot table, lists, pages */
+	uint32_t entry;                 /* in the ring */
+	uint64_t table;                 /* of slots */
+	std::vector<uint64_t> pages;    /* of the response */
+	std::vector<uint32_t> expected; /* all words of these */
+	std::vector<uint64_t> starts;   /* of what is its own: slot table, lists, pages */
 
 	bool owns(uint64_t address) const
 	{
@@ -33,9 +33,13 @@ struct PortJob {
 	}
 };
 
-class PortBench : public PortAccess<Vport_pci> {
-public:
-	explicit PortBench(uint64_t seed) : PortAccess(seed), host(random), core(random) { kind(); }
+class PortBench : public PortAccess<Vport_pci>
+{
+      public:
+	explicit PortBench(uint64_t seed) : PortAccess(seed), host(random), core(random)
+	{
+		kind();
+	}
 
 	/* Nothing stalls. */
 	void kind(int latency = 20)
@@ -164,7 +168,10 @@ public:
 		jobs.push_back(job);
 	}
 
-	void doorbell() { write(GLOSS_REG_TAIL, tail & 0xffff); }
+	void doorbell()
+	{
+		write(GLOSS_REG_TAIL, tail & 0xffff);
+	}
 
 	void submit(const PortJob &job)
 	{
@@ -172,7 +179,10 @@ public:
 		doorbell();
 	}
 
-	bool full() const { return (uint32_t)(tail - head) == entries; }
+	bool full() const
+	{
+		return (uint32_t)(tail - head) == entries;
+	}
 
 	/* Until all jobs have ended; each sends a message. */
 	void wait()
@@ -220,7 +230,8 @@ public:
 			at |= 0xffffffff00000000;
 		if (random.chance(10))
 			at &= 0xffffffff;
-		for (uint64_t page = at & ~4095ull; page - (at & ~4095ull) < (at & 4095) + bytes; page += 4096)
+		for (uint64_t page = at & ~4095ull; page - (at & ~4095ull) < (at & 4095) + bytes;
+		     page += 4096)
 			host.map(page);
 		placed.push_back(at);
 		return at;
@@ -228,15 +239,15 @@ public:
 
 	PortHost<Vport_pci> host;
 	PortCore<Vport_pci> core;
-	std::deque<PortJob> jobs;		/* submitted and not ended */
+	std::deque<PortJob> jobs; /* submitted and not ended */
 	uint64_t ring = 0, records = 0, messages = 0;
 	uint32_t entries = 1, tail = 0, head = 0;
-	uint32_t progress = 0, finished = 0;	/* as the registers must have it */
+	uint32_t progress = 0, finished = 0; /* as the registers must have it */
 	uint64_t time[6] = {}, message_clock = 0;
-	bool bridge_waits = false;		/* before it takes a message, */
-	uint32_t message_jobs = 1;		/* which is for so many */
+	bool bridge_waits = false; /* before it takes a message, */
+	uint32_t message_jobs = 1; /* which is for so many */
 
-private:
+      private:
 	/* At this clock the job at the head has ended, or those that a message waited for, with all their effects. */
 	void message()
 	{
@@ -259,8 +270,9 @@ private:
 		uint64_t record = records + 16 * job.entry;
 
 		const PortSeen &seen = core.seen.front();
-		TB_CHECK(seen.stream_words == job.stream.size() && seen.response_words == job.room &&
-			 seen.stream == job.stream, "the stream is not the job's");
+		TB_CHECK(seen.stream_words == job.stream.size() &&
+				 seen.response_words == job.room && seen.stream == job.stream,
+			 "the stream is not the job's");
 		for (int n = 0; n < 16; n++) {
 			PortSlot slot = job.slots[n];
 
@@ -268,9 +280,11 @@ private:
 			TB_CHECK(seen.slots[n] == slot, "slot %d is not the job's", n);
 		}
 		core.seen.pop_front();
-		TB_CHECK(host.word(record) == job.sequence && host.word(record + 4) == job.answer.cause &&
-			 host.word(record + 8) == job.answer.offset &&
-			 host.word(record + 12) == job.answer.words.size(), "its completion is wrong");
+		TB_CHECK(host.word(record) == job.sequence &&
+				 host.word(record + 4) == job.answer.cause &&
+				 host.word(record + 8) == job.answer.offset &&
+				 host.word(record + 12) == job.answer.words.size(),
+			 "its completion is wrong");
 		for (size_t n = 0; n < job.expected.size(); n++)
 			TB_CHECK(host.word(job.pages[n / 1024] + 4 * (n % 1024)) == job.expected[n],
 				 "word %zu of the response is wrong", n);
@@ -323,7 +337,7 @@ private:
 		return table;
 	}
 
-	std::map<uint32_t, PortJob> last;	/* by entry */
+	std::map<uint32_t, PortJob> last; /* by entry */
 	std::vector<uint64_t> placed;
 };
 

@@ -25,7 +25,7 @@ struct PortSlot {
 struct PortAnswer {
 	std::vector<uint32_t> words;
 	uint32_t cause = 0, offset = 0;
-	uint32_t time[6] = {};		/* in the order of time_counters_t, from its low end */
+	uint32_t time[6] = {}; /* in the order of time_counters_t, from its low end */
 };
 
 /* What the port gave of it. */
@@ -35,15 +35,18 @@ struct PortSeen {
 	std::vector<PortSlot> slots;
 };
 
-template <class Top> class PortCore {
-public:
-	explicit PortCore(Random &random) : random(random), slots(16) {}
+template <class Top> class PortCore
+{
+      public:
+	explicit PortCore(Random &random) : random(random), slots(16)
+	{
+	}
 
 	void drive(Top &top)
 	{
 		top.job_ready_i = !running && !hold(job_stall);
-		top.stream_ready_i = running && !hung && taken < now.stream_words && !response_due() &&
-				     !hold(stream_stall);
+		top.stream_ready_i = running && !hung && taken < now.stream_words &&
+				     !response_due() && !hold(stream_stall);
 		response_offered = response_offered || (response_due() && !hold(response_stall));
 		top.response_valid_i = response_offered;
 		if (response_offered && response_count == 0)
@@ -83,14 +86,17 @@ public:
 			sample_job(top);
 	}
 
-	bool stalls = false, hung = false;	/* hung: takes no more of the stream */
+	bool stalls = false, hung = false; /* hung: takes no more of the stream */
 	bool running = false;
-	std::deque<PortAnswer> answers;		/* of the jobs to come */
-	std::deque<PortSeen> seen;		/* jobs that have ended */
+	std::deque<PortAnswer> answers; /* of the jobs to come */
+	std::deque<PortSeen> seen;      /* jobs that have ended */
 	uint64_t jobs = 0;
 
-private:
-	bool hold(Stall &stall) { return stalls && stall.now(); }
+      private:
+	bool hold(Stall &stall)
+	{
+		return stalls && stall.now();
+	}
 
 	/* Answers come in proportion to what was taken. */
 	bool response_due() const
@@ -103,7 +109,8 @@ private:
 
 	bool finished() const
 	{
-		return running && !hung && taken >= now.stream_words && answered == answer.words.size();
+		return running && !hung && taken >= now.stream_words &&
+		       answered == answer.words.size();
 	}
 
 	void drive_response(Top &top)
@@ -118,7 +125,8 @@ private:
 
 	void sample_slot(const Top &top)
 	{
-		TB_CHECK(!running && !top.job_valid_o, "a slot is written while a job starts or runs");
+		TB_CHECK(!running && !top.job_valid_o,
+			 "a slot is written while a job starts or runs");
 		slots[top.slot_index_o] = { top.slot_base_o, top.slot_size_o, top.slot_rights_o };
 	}
 

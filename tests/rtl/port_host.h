@@ -16,12 +16,15 @@
 
 #include "tb.h"
 
-template <class Top> class PortHost {
-public:
+template <class Top> class PortHost
+{
+      public:
 	static const uint32_t page_bytes = 4096;
 	static const uint32_t beat_bytes = STREAM / 8;
 
-	explicit PortHost(Random &random) : random(random) {}
+	explicit PortHost(Random &random) : random(random)
+	{
+	}
 
 	void steady(int clocks)
 	{
@@ -43,7 +46,10 @@ public:
 			word = random.bits();
 	}
 
-	void unmap_all() { pages.clear(); }
+	void unmap_all()
+	{
+		pages.clear();
+	}
 
 	uint32_t &word(uint64_t address)
 	{
@@ -95,12 +101,12 @@ public:
 	}
 
 	bool strict = true;
-	int refuse = -1;		/* the access with this number, from now */
-	bool refuse_rest = false;	/* and all after it */
-	std::set<uint64_t> refusals;	/* addresses that were */
+	int refuse = -1;             /* the access with this number, from now */
+	bool refuse_rest = false;    /* and all after it */
+	std::set<uint64_t> refusals; /* addresses that were */
 	uint64_t accesses = 0;
 
-private:
+      private:
 	struct Burst {
 		uint64_t address;
 		uint32_t beats, beat;
@@ -117,7 +123,10 @@ private:
 		bool last;
 	};
 
-	bool hold(Stall &stall) { return stalls && stall.now(); }
+	bool hold(Stall &stall)
+	{
+		return stalls && stall.now();
+	}
 
 	Burst burst(uint64_t address, uint32_t length, uint64_t clock)
 	{
@@ -138,7 +147,10 @@ private:
 		return burst;
 	}
 
-	uint64_t due(uint64_t clock) { return clock + random.between(latency_min, latency_max); }
+	uint64_t due(uint64_t clock)
+	{
+		return clock + random.between(latency_min, latency_max);
+	}
 
 	unsigned int refusal(const Burst &burst)
 	{
@@ -153,7 +165,8 @@ private:
 		uint64_t at = read.address / beat_bytes * beat_bytes + read.beat * beat_bytes;
 
 		for (uint32_t n = 0; n < beat_bytes / 4; n++)
-			tb_set(top.host_rdata_i, 32 * n, 32, read.bad ? bad_word : word(at + 4 * n));
+			tb_set(top.host_rdata_i, 32 * n, 32,
+			       read.bad ? bad_word : word(at + 4 * n));
 		top.host_rresp_i = read.bad && read.beat == read.bad_beat ? refusal(read) : 0;
 		top.host_rlast_i = read.beat + 1 == read.beats;
 	}
@@ -165,19 +178,22 @@ private:
 		top.host_bresp_i = write.bad ? refusal(write) : 0;
 		for (uint32_t n = 0; n < write.data.size() && !write.bad; n++)
 			if (write.strobes[n])
-				word(write.address / beat_bytes * beat_bytes + 4 * n) = write.data[n];
+				word(write.address / beat_bytes * beat_bytes +
+				     4 * n) = write.data[n];
 	}
 
 	void sample_read(Top &top, uint64_t clock)
 	{
 		TB_CHECK(!ar_waits || (top.host_arvalid_o && top.host_araddr_o == ar_address &&
-				       top.host_arlen_o == ar_length), "AR is taken back");
+				       top.host_arlen_o == ar_length),
+			 "AR is taken back");
 		ar_waits = top.host_arvalid_o && !top.host_arready_i;
 		ar_address = top.host_araddr_o;
 		ar_length = top.host_arlen_o;
 		if (!top.host_arvalid_o || ar_waits)
 			return;
-		TB_CHECK(ar_address % beat_bytes == 0, "AR at %" PRIx64 " is not a multiple of a beat", ar_address);
+		TB_CHECK(ar_address % beat_bytes == 0,
+			 "AR at %" PRIx64 " is not a multiple of a beat", ar_address);
 		reads.push_back(burst(ar_address, ar_length, clock));
 		bad_word = random.bits();
 	}
@@ -185,7 +201,8 @@ private:
 	void sample_write(Top &top, uint64_t clock)
 	{
 		TB_CHECK(!aw_waits || (top.host_awvalid_o && top.host_awaddr_o == aw_address &&
-				       top.host_awlen_o == aw_length), "AW is taken back");
+				       top.host_awlen_o == aw_length),
+			 "AW is taken back");
 		aw_waits = top.host_awvalid_o && !top.host_awready_i;
 		aw_address = top.host_awaddr_o;
 		aw_length = top.host_awlen_o;
@@ -256,7 +273,7 @@ private:
 	Beat held = {};
 	std::deque<Burst> reads, addresses, answers;
 	std::deque<Beat> beats;
-	size_t full_bursts = 0;			/* in beats */
+	size_t full_bursts = 0; /* in beats */
 };
 
 #endif

@@ -16,17 +16,18 @@
 struct UsbJob {
 	uint32_t sequence, room;
 	std::vector<uint32_t> stream;
-	std::vector<PortSlot> slots;		/* those that are sent */
+	std::vector<PortSlot> slots; /* those that are sent */
 	PortAnswer answer;
 };
 
 struct UsbWord {
 	uint32_t word;
-	bool flush, completes;			/* a burst; a job */
+	bool flush, completes; /* a burst; a job */
 };
 
-class UsbBench : public PortAccess<Vport_usb> {
-public:
+class UsbBench : public PortAccess<Vport_usb>
+{
+      public:
 	explicit UsbBench(uint64_t seed) : PortAccess(seed), core(random)
 	{
 		top.out_valid_i = top.in_ready_i = top.event_ready_i = 0;
@@ -34,8 +35,14 @@ public:
 	}
 
 	/* Nothing stalls. */
-	void kind() { stalls = core.stalls = false; }
-	void unkind() { stalls = core.stalls = true; }
+	void kind()
+	{
+		stalls = core.stalls = false;
+	}
+	void unkind()
+	{
+		stalls = core.stalls = true;
+	}
 
 	void random_stalls()
 	{
@@ -79,7 +86,8 @@ public:
 
 	void send_sync(uint32_t nonce)
 	{
-		out.insert(out.end(), { GLOSS_USB_SYNC_MAGIC, nonce, ~nonce, ~GLOSS_USB_SYNC_MAGIC });
+		out.insert(out.end(),
+			   { GLOSS_USB_SYNC_MAGIC, nonce, ~nonce, ~GLOSS_USB_SYNC_MAGIC });
 	}
 
 	void expect_echo()
@@ -133,12 +141,15 @@ public:
 	/* All words of @job on OUT. */
 	std::vector<uint32_t> words_of(const UsbJob &job)
 	{
-		std::vector<uint32_t> words = { GLOSS_USB_JOB_MAGIC << 8 | (uint32_t)job.slots.size(),
-						job.sequence, (uint32_t)job.stream.size(), job.room };
+		std::vector<uint32_t> words = { GLOSS_USB_JOB_MAGIC << 8 |
+							(uint32_t)job.slots.size(),
+						job.sequence, (uint32_t)job.stream.size(),
+						job.room };
 
 		for (const PortSlot &slot : job.slots)
-			words.insert(words.end(), { slot.base, slot.size,
-						    slot.rights | random.bits() << 2, random.bits() });
+			words.insert(words.end(),
+				     { slot.base, slot.size, slot.rights | random.bits() << 2,
+				       random.bits() });
 		words.insert(words.end(), job.stream.begin(), job.stream.end());
 		words.push_back(accel_usb_checksum(0, &words[2], words.size() - 2));
 		return words;
@@ -168,7 +179,8 @@ public:
 		for (size_t n = 0; n < count; n++) {
 			if (n % GLOSS_USB_CHUNK_WORDS == 0)
 				expect(GLOSS_USB_RESPONSE_MAGIC << 16 |
-				       (uint32_t)std::min<size_t>(words.size() - n, GLOSS_USB_CHUNK_WORDS));
+				       (uint32_t)std::min<size_t>(words.size() - n,
+								  GLOSS_USB_CHUNK_WORDS));
 			expect(words[n]);
 		}
 	}
@@ -177,7 +189,8 @@ public:
 	{
 		const std::vector<uint32_t> &words = job.answer.words;
 		const uint32_t completion[] = { GLOSS_USB_COMPLETION_MAGIC << 16 | job.answer.cause,
-						job.sequence, job.answer.offset, (uint32_t)words.size() };
+						job.sequence, job.answer.offset,
+						(uint32_t)words.size() };
 		uint32_t sum = accel_usb_checksum(0, words.data(), words.size());
 
 		expect_response(job, words.size());
@@ -201,7 +214,8 @@ public:
 		uint64_t start = clocks;
 
 		while (!out.empty()) {
-			TB_CHECK(clocks - start < 300000, "%zu words of OUT are not taken", out.size());
+			TB_CHECK(clocks - start < 300000, "%zu words of OUT are not taken",
+				 out.size());
 			clock();
 		}
 		clock(1100);
@@ -216,9 +230,11 @@ public:
 		while (!(read(GLOSS_REG_STATUS) & GLOSS_REG_STATUS_LOST))
 			TB_CHECK(clocks - start < 100000, "the channel is not lost");
 		drain();
-		TB_CHECK(read(GLOSS_REG_STATUS) == (GLOSS_REG_STATUS_IDLE | GLOSS_REG_STATUS_LOST), "STATUS");
+		TB_CHECK(read(GLOSS_REG_STATUS) == (GLOSS_REG_STATUS_IDLE | GLOSS_REG_STATUS_LOST),
+			 "STATUS");
 		TB_CHECK(events.size() == 1 &&
-			 events[0] == (GLOSS_USB_EVENT_MAGIC << 16 | GLOSS_USB_EVENT_LOST), "events");
+				 events[0] == (GLOSS_USB_EVENT_MAGIC << 16 | GLOSS_USB_EVENT_LOST),
+			 "events");
 	}
 
 	/* Until every word that has to come has come. */
@@ -247,7 +263,8 @@ public:
 		TB_CHECK(sum == time[0], "CLOCKS is %" PRIx64, sum);
 		for (int n = 0; n < 5; n++)
 			TB_CHECK(read(offsets[n]) == (uint32_t)time[1 + n], "stall counter %d", n);
-		TB_CHECK(read(GLOSS_REG_STATUS) == GLOSS_REG_STATUS_IDLE, "not idle when all is done");
+		TB_CHECK(read(GLOSS_REG_STATUS) == GLOSS_REG_STATUS_IDLE,
+			 "not idle when all is done");
 	}
 
 	/* A job, and all that can be seen of it. */
@@ -267,8 +284,8 @@ public:
 		std::deque<uint64_t> left = events;
 
 		for (const UsbJob &job : jobs) {
-			uint64_t event = (uint64_t)job.sequence << 32 | GLOSS_USB_EVENT_MAGIC << 16 |
-					 job.answer.cause;
+			uint64_t event = (uint64_t)job.sequence << 32 |
+					 GLOSS_USB_EVENT_MAGIC << 16 | job.answer.cause;
 
 			if (!job.answer.cause)
 				continue;
@@ -297,19 +314,22 @@ public:
 	}
 
 	PortCore<Vport_usb> core;
-	std::deque<uint32_t> out;		/* to be sent */
-	std::deque<UsbWord> expected;		/* of IN */
-	std::deque<UsbJob> jobs;		/* not ended */
-	std::deque<uint64_t> events;		/* fetched */
+	std::deque<uint32_t> out;     /* to be sent */
+	std::deque<UsbWord> expected; /* of IN */
+	std::deque<UsbJob> jobs;      /* not ended */
+	std::deque<uint64_t> events;  /* fetched */
 	bool stalls = false, in_closed = false, events_closed = false;
 	uint32_t nonce = 0;
-	uint32_t progress = 0, finished = 0;	/* as the registers must have it */
+	uint32_t progress = 0, finished = 0; /* as the registers must have it */
 	uint64_t time[6] = {};
-	uint64_t sent = 0, taken = 0;		/* words of OUT and of IN */
-	uint64_t taken_clock = 0;		/* of the last */
+	uint64_t sent = 0, taken = 0; /* words of OUT and of IN */
+	uint64_t taken_clock = 0;     /* of the last */
 
-private:
-	bool hold(Stall &stall) { return stalls && stall.now(); }
+      private:
+	bool hold(Stall &stall)
+	{
+		return stalls && stall.now();
+	}
 
 	void expect(uint32_t word, bool flush = false, bool completes = false)
 	{
@@ -336,7 +356,8 @@ private:
 			TB_CHECK(!top.out_ready_o && !top.in_valid_o && !top.event_valid_o,
 				 "a word may pass in a reset");
 		else if (in_waits)
-			TB_CHECK(top.in_valid_o && top.in_data_o == in_word && top.in_flush_o == in_flush,
+			TB_CHECK(top.in_valid_o && top.in_data_o == in_word &&
+					 top.in_flush_o == in_flush,
 				 "a word of IN changes before it is taken");
 		if (event_waits && !top.memory_stop_o)
 			TB_CHECK(top.event_valid_o && top.event_o == event, "an event changes");
@@ -366,8 +387,8 @@ private:
 		UsbWord word = expected.front();
 
 		TB_CHECK(top.in_data_o == word.word && top.in_flush_o == word.flush,
-			 "IN has %08x%s, not %08x%s", top.in_data_o, top.in_flush_o ? " flush" : "", word.word,
-			 word.flush ? " flush" : "");
+			 "IN has %08x%s, not %08x%s", top.in_data_o, top.in_flush_o ? " flush" : "",
+			 word.word, word.flush ? " flush" : "");
 		expected.pop_front();
 		taken++;
 		taken_clock = clocks;
@@ -380,8 +401,9 @@ private:
 		TB_CHECK(core.seen.size() == 1, "a usb_completion of nothing");
 		const PortSeen &seen = core.seen.front();
 
-		TB_CHECK(seen.stream_words == job.stream.size() && seen.response_words == job.room &&
-			 seen.stream == job.stream, "the stream is not the job's");
+		TB_CHECK(seen.stream_words == job.stream.size() &&
+				 seen.response_words == job.room && seen.stream == job.stream,
+			 "the stream is not the job's");
 		for (size_t n = 0; n < GLOSS_SLOTS; n++) {
 			PortSlot slot = n < job.slots.size() ? job.slots[n] : PortSlot{};
 

@@ -207,8 +207,8 @@ inline Record record_random(Random &random, int tile_size)
 	if (random.chance(95)) {
 		if (random.chance(20) || !triangle_real(random, tile_size, t))
 			triangle_any(random, tile_size, t);
-		geometry = triangle_fits(t) && random.chance(80) ? GLOSS_GEOMETRY_COMPACT
-								 : GLOSS_GEOMETRY_WIDE;
+		geometry = triangle_fits(t) && random.chance(80) ? GLOSS_GEOMETRY_COMPACT :
+								   GLOSS_GEOMETRY_WIDE;
 	}
 	return record_make(random, t, geometry, (enum gloss_shading)random.below(3));
 }

@@ -23,9 +23,12 @@
 #include <verilated.h>
 
 /* Numbers that only depend on the seed (splitmix64). */
-class Random {
-public:
-	explicit Random(uint64_t seed) : state(seed) {}
+class Random
+{
+      public:
+	explicit Random(uint64_t seed) : state(seed)
+	{
+	}
 
 	uint64_t bits64()
 	{
@@ -36,14 +39,26 @@ public:
 		return z ^ (z >> 31);
 	}
 
-	uint32_t bits() { return bits64() >> 32; }
+	uint32_t bits()
+	{
+		return bits64() >> 32;
+	}
 	/* 0 <= result < count */
-	uint32_t below(uint32_t count) { return (uint64_t)bits() * count >> 32; }
+	uint32_t below(uint32_t count)
+	{
+		return (uint64_t)bits() * count >> 32;
+	}
 	/* low <= result <= high */
-	int between(int low, int high) { return low + (int)below(high - low + 1); }
-	bool chance(unsigned int percent) { return below(100) < percent; }
+	int between(int low, int high)
+	{
+		return low + (int)below(high - low + 1);
+	}
+	bool chance(unsigned int percent)
+	{
+		return below(100) < percent;
+	}
 
-private:
+      private:
 	uint64_t state;
 };
 
@@ -72,8 +87,8 @@ inline uint64_t &tb_clock()
 	return clock;
 }
 
-[[noreturn]] __attribute__((format(printf, 3, 4)))
-inline void tb_fail(const char *file, int line, const char *format, ...)
+[[noreturn]] __attribute__((format(printf, 3, 4))) inline void tb_fail(const char *file, int line,
+								       const char *format, ...)
 {
 	va_list args;
 
@@ -88,9 +103,9 @@ inline void tb_fail(const char *file, int line, const char *format, ...)
 }
 
 /* TB_CHECK(condition, "what is wrong: %d", value) ends the bench if the condition is false. */
-#define TB_CHECK(condition, ...) \
-	do { \
-		if (!(condition)) \
+#define TB_CHECK(condition, ...)                                  \
+	do {                                                      \
+		if (!(condition))                                 \
 			tb_fail(__FILE__, __LINE__, __VA_ARGS__); \
 	} while (0)
 
@@ -137,9 +152,12 @@ void tb_set(VlWide<Words> &port, unsigned int low, unsigned int width, uint64_t 
  * When to hold a handshake: stretches of never, seldom, often and nearly always, so that both
  * back-to-back traffic and long waits happen in every run.
  */
-class Stall {
-public:
-	explicit Stall(Random &random) : random(random) {}
+class Stall
+{
+      public:
+	explicit Stall(Random &random) : random(random)
+	{
+	}
 
 	/* Ask once a clock: true to hold. */
 	bool now()
@@ -153,7 +171,7 @@ public:
 		return random.chance(rate);
 	}
 
-private:
+      private:
 	Random &random;
 	unsigned int left = 0, rate = 0;
 };
@@ -164,17 +182,23 @@ template <class Top> auto tb_reset(Top &top, int level, int) -> decltype(top.rst
 	top.rst_ni = level;
 }
 
-template <class Top> void tb_reset(Top &, int, long) {}
+template <class Top> void tb_reset(Top &, int, long)
+{
+}
 
 /* A module under test with port clk_i. Registers without reset start with random bits. */
-template <class Top> class Bench {
-public:
+template <class Top> class Bench
+{
+      public:
 	Bench() : top(prepare(context))
 	{
 		reset();
 	}
 
-	~Bench() { top.final(); }
+	~Bench()
+	{
+		top.final();
+	}
 
 	/* Inputs of the first clock after this are still to be set. */
 	void reset()
@@ -190,7 +214,10 @@ public:
 		tb_reset(top, 1, 0);
 	}
 
-	void settle() { top.eval(); }
+	void settle()
+	{
+		top.eval();
+	}
 
 	void tick()
 	{
@@ -203,7 +230,7 @@ public:
 
 	uint64_t clocks = 0;
 
-private:
+      private:
 	static VerilatedContext *prepare(VerilatedContext &context)
 	{
 		context.randReset(2);
@@ -213,7 +240,7 @@ private:
 
 	VerilatedContext context;
 
-public:
+      public:
 	Top top;
 };
 

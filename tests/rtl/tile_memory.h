@@ -9,12 +9,15 @@
 
 #include "tile_work.h"
 
-class TileMemory {
-public:
+class TileMemory
+{
+      public:
 	/* When an address of a write is taken. */
 	enum Address { ANY_TIME, WITH_DATA, AFTER_DATA };
 
-	explicit TileMemory(Random &random) : words(memory_units * TILE), random(random) {}
+	explicit TileMemory(Random &random) : words(memory_units * TILE), random(random)
+	{
+	}
 
 	/* No stalls and this latency. */
 	void steady(int clocks)
@@ -55,8 +58,9 @@ public:
 		top.store_data_ready_i = !held;
 		held = stalls && store_stall.now();
 		top.store_ready_i = !held && (address == ANY_TIME ||
-			(address == WITH_DATA && (top.store_data_valid_o || !data.empty())) ||
-			(address == AFTER_DATA && data.size() >= TILE));
+					      (address == WITH_DATA &&
+					       (top.store_data_valid_o || !data.empty())) ||
+					      (address == AFTER_DATA && data.size() >= TILE));
 	}
 
 	/* drive, but for outputs that depend on nothing but registers: sample, then the edge. */
@@ -80,16 +84,19 @@ public:
 		match(clock);
 	}
 
-	bool quiet() const { return loads.empty() && stores.empty() && addresses.empty() && data.empty(); }
+	bool quiet() const
+	{
+		return loads.empty() && stores.empty() && addresses.empty() && data.empty();
+	}
 
 	std::vector<uint32_t> words;
 
-private:
+      private:
 	struct Load {
 		uint32_t address;
 		uint64_t due;
 		int beat;
-		std::vector<uint32_t> data;	/* empty: to be looked up at the first beat */
+		std::vector<uint32_t> data; /* empty: to be looked up at the first beat */
 	};
 
 	struct Store {
@@ -101,7 +108,8 @@ private:
 
 	void check_address(uint32_t address)
 	{
-		TB_CHECK(address % unit == 0 && address / unit < memory_units, "address %08x", address);
+		TB_CHECK(address % unit == 0 && address / unit < memory_units, "address %08x",
+			 address);
 	}
 
 	std::vector<uint32_t> row(uint32_t address) const
@@ -140,7 +148,8 @@ private:
 			return;
 		for (int l = 0; l < LANES; l++)
 			data.push_back(tb_get(top.store_data_o, 32 * l, 32));
-		TB_CHECK(top.store_data_last_o == (data.size() % TILE == 0), "last beat in the wrong place");
+		TB_CHECK(top.store_data_last_o == (data.size() % TILE == 0),
+			 "last beat in the wrong place");
 	}
 
 	/* Rows whose address and data are both there. */
@@ -148,7 +157,8 @@ private:
 	{
 		while (!addresses.empty() && data.size() >= TILE) {
 			Store store = { addresses.front(),
-					clock + random.between(latency_min, latency_max), early_write,
+					clock + random.between(latency_min, latency_max),
+					early_write,
 					{ data.begin(), data.begin() + TILE } };
 
 			addresses.pop_front();
@@ -169,12 +179,13 @@ private:
 	int latency_min = 20, latency_max = 20;
 	bool stalls = false, early_read = false, early_write = false;
 	Address address = ANY_TIME;
-	Stall load_stall{ random }, read_stall{ random }, store_stall{ random }, data_stall{ random };
+	Stall load_stall{ random }, read_stall{ random }, store_stall{ random },
+		data_stall{ random };
 
 	std::deque<Load> loads;
-	std::deque<Store> stores;		/* to be acknowledged */
-	std::deque<uint32_t> addresses;		/* without data */
-	std::deque<uint32_t> data;		/* words without address */
+	std::deque<Store> stores;       /* to be acknowledged */
+	std::deque<uint32_t> addresses; /* without data */
+	std::deque<uint32_t> data;      /* words without address */
 };
 
 #endif

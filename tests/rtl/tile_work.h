@@ -15,7 +15,7 @@
 #include "tb.h"
 
 static const int row_beats = TILE / LANES, rows = row_beats * TILE, pixels = TILE * TILE;
-static const uint32_t unit = 4 * TILE;		/* bytes of a tile's row */
+static const uint32_t unit = 4 * TILE; /* bytes of a tile's row */
 static const uint32_t memory_units = 512;
 
 /* Rows from @first on, around the end, and what they hold before and after. */
@@ -25,7 +25,7 @@ struct Draw {
 };
 
 struct Surface {
-	uint32_t address, pitch;	/* bytes */
+	uint32_t address, pitch; /* bytes */
 };
 
 /* What command does: hand over an op, or put one into the render queue, or wait. */
@@ -34,24 +34,25 @@ struct Step {
 	/* BEGIN, END */
 	bool colour_load, depth_load;
 	unsigned int colour_output, depth_output;
-	Surface colour, depth;		/* or the clear value as address */
+	Surface colour, depth; /* or the clear value as address */
 	/* RENDER */
 	unsigned int kind;
 	uint32_t data;
-	std::shared_ptr<Draw> draw;	/* of a RENDER_GO */
+	std::shared_ptr<Draw> draw; /* of a RENDER_GO */
 };
 
 /* How a test wants its tiles. */
 struct Wish {
-	unsigned int load, store, answer;	/* percent of colours and of depths */
-	unsigned int places;			/* that are used, up to eight */
-	unsigned int odd_pitch;			/* percent that are anywhere, with any pitch */
-	unsigned int idle;			/* percent of tiles after which command waits */
-	int draws, longest;			/* of a tile; rows of a draw */
+	unsigned int load, store, answer; /* percent of colours and of depths */
+	unsigned int places;              /* that are used, up to eight */
+	unsigned int odd_pitch;           /* percent that are anywhere, with any pitch */
+	unsigned int idle;                /* percent of tiles after which command waits */
+	int draws, longest;               /* of a tile; rows of a draw */
 };
 
-class Work {
-public:
+class Work
+{
+      public:
 	explicit Work(Random &random) : memory(memory_units * TILE), random(random)
 	{
 		for (uint32_t &word : memory)
@@ -135,13 +136,19 @@ public:
 	}
 
 	/* One of the tiles side by side in a surface four tiles wide. */
-	Surface place(uint32_t n) const { return { unit * (n % 4 + n / 4 * 4 * TILE), unit * 4 }; }
+	Surface place(uint32_t n) const
+	{
+		return { unit * (n % 4 + n / 4 * 4 * TILE), unit * 4 };
+	}
 
 	std::vector<uint32_t> memory;
 	std::deque<uint32_t> answers;
 
-private:
-	Surface clear() { return { random.bits(), random.bits() }; }
+      private:
+	Surface clear()
+	{
+		return { random.bits(), random.bits() };
+	}
 
 	void render(std::deque<Step> &steps, unsigned int kind)
 	{
@@ -159,7 +166,8 @@ private:
 
 		if (percent < wish.store)
 			return GLOSS_TILE_OUTPUT_STORE;
-		return percent < wish.store + wish.answer ? GLOSS_TILE_OUTPUT_ANSWER : GLOSS_TILE_OUTPUT_DROP;
+		return percent < wish.store + wish.answer ? GLOSS_TILE_OUTPUT_ANSWER :
+							    GLOSS_TILE_OUTPUT_DROP;
 	}
 
 	Surface place(const Wish &wish)
@@ -167,7 +175,8 @@ private:
 		if (random.chance(wish.odd_pitch)) {
 			uint32_t pitch = random.between(1, 6);
 
-			return { unit * random.below(memory_units - (TILE - 1) * pitch), unit * pitch };
+			return { unit * random.below(memory_units - (TILE - 1) * pitch),
+				 unit * pitch };
 		}
 		return place(random.below(wish.places));
 	}
@@ -185,7 +194,8 @@ private:
 	{
 		for (int at = 0; at < pixels; at++) {
 			if (output == GLOSS_TILE_OUTPUT_STORE)
-				memory[(to.address + at / TILE * to.pitch) / 4 + at % TILE] = part[at];
+				memory[(to.address + at / TILE * to.pitch) / 4 + at % TILE] =
+					part[at];
 			else if (output == GLOSS_TILE_OUTPUT_ANSWER)
 				answers.push_back(part[at]);
 		}

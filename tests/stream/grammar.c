@@ -11,7 +11,7 @@
 #define FULL (GRAMMAR_WORDS - GLOSS_LENGTH_MAX - 16)
 
 /* One of how many fields, and packets, is wrong where one may be. */
-#define FIELD  64
+#define FIELD 64
 #define PACKET 40
 
 const struct table_packet *grammar_packets(uint32_t *count)

@@ -18,17 +18,17 @@
 #include "job.h"
 #include "decode/table.h"
 
-#define GRAMMAR_WORDS	 8192
-#define GRAMMAR_RECORDS	 2048
-#define GRAMMAR_RESPONSE (20 * 1024)  /* words, most that a job has room for */
-#define GRAMMAR_MEMORY	 (256 * 1024) /* bytes of board memory */
+#define GRAMMAR_WORDS 8192
+#define GRAMMAR_RECORDS 2048
+#define GRAMMAR_RESPONSE (20 * 1024) /* words, most that a job has room for */
+#define GRAMMAR_MEMORY (256 * 1024)  /* bytes of board memory */
 
 /* How a job was made, and so what is known of its end. */
 enum grammar_kind {
-	GRAMMAR_SOUND,	  /* as gloss.xml asks: no fault */
-	GRAMMAR_WILD,	  /* now and then a value that it forbids */
+	GRAMMAR_SOUND,    /* as gloss.xml asks: no fault */
+	GRAMMAR_WILD,     /* now and then a value that it forbids */
 	GRAMMAR_DAMAGED,  /* bits flipped, words dropped or repeated, or the end cut off */
-	GRAMMAR_OPCODE,	  /* one packet has another opcode */
+	GRAMMAR_OPCODE,   /* one packet has another opcode */
 	GRAMMAR_RESERVED, /* one reserved bit is set */
 	GRAMMAR_KINDS
 };
@@ -37,7 +37,7 @@ enum grammar_kind {
 struct grammar_record {
 	const struct table_record *record;
 	const struct table_packet *packet; /* NULL: a part */
-	uint32_t at;			   /* its word 0 in the stream */
+	uint32_t at;                       /* its word 0 in the stream */
 };
 
 struct grammar {

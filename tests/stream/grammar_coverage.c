@@ -27,8 +27,8 @@ static void add_packet(struct grammar_coverage *coverage, uint32_t index,
 		const struct table_field *field = &packet->record.fields[n];
 
 		if (is_choice(field))
-			coverage->values[index][n] |=
-				1u << field_bits(header, field->high, field->low);
+			coverage->values[index][n] |= 1u << field_bits(header, field->high,
+								       field->low);
 	}
 	for (uint32_t n = 0; n < packet->count; n++) {
 		const struct table_part *part = &packet->parts[n];
@@ -133,8 +133,8 @@ void grammar_coverage_print(const struct grammar_coverage *coverage)
 		printf(" %s %" PRIu64, packets[n].record.name, coverage->packets[n]);
 	printf("\n  opcodes written: %" PRIu64 " of 256, reserved bits set: %" PRIu64 " of %u\n",
 	       coverage->opcodes < 256 ? coverage->opcodes : 256,
-	       coverage->reserved < grammar_reserved_bits() ? coverage->reserved
-							    : grammar_reserved_bits(),
+	       coverage->reserved < grammar_reserved_bits() ? coverage->reserved :
+							      grammar_reserved_bits(),
 	       grammar_reserved_bits());
 }
 

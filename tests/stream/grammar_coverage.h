@@ -6,7 +6,7 @@
 #include "grammar.h"
 
 #define COVERAGE_PACKETS 32
-#define COVERAGE_FIELDS	 8
+#define COVERAGE_FIELDS 8
 
 struct grammar_coverage {
 	uint64_t jobs[GRAMMAR_KINDS];
@@ -15,7 +15,7 @@ struct grammar_coverage {
 	uint32_t values[COVERAGE_PACKETS]
 		       [COVERAGE_FIELDS]; /* of their enums and flags, a bit each */
 	uint32_t parts[COVERAGE_PACKETS]; /* executed, a bit each */
-	uint64_t opcodes, reserved;	  /* turns of each that were taken */
+	uint64_t opcodes, reserved;       /* turns of each that were taken */
 };
 
 void grammar_coverage_add(struct grammar_coverage *coverage, const struct grammar *g,

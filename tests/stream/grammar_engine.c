@@ -51,8 +51,8 @@ bool grammar_engine_init(struct grammar_engine *engine, const char *plugin, uint
 	else if (plugin)
 		done = init_plugin(engine, plugin);
 	else
-		done = init_board(engine, tile_size == 32 ? &gloss_usb_board_model_t32
-							  : &gloss_usb_board_model_t64);
+		done = init_board(engine, tile_size == 32 ? &gloss_usb_board_model_t32 :
+							    &gloss_usb_board_model_t64);
 	if (!done) {
 		fprintf(stderr, "test_grammar: %s is no core and no USB board of this tree\n",
 			engine->name);

@@ -21,7 +21,7 @@ struct grammar_result {
 struct grammar_engine {
 	const char *name;
 	uint32_t tile_size, pixels_per_clock;
-	uint8_t *memory;		     /* GRAMMAR_MEMORY bytes, its own */
+	uint8_t *memory;                     /* GRAMMAR_MEMORY bytes, its own */
 	const struct gloss_sim_ops *sim_ops; /* a core, or NULL: a board */
 	struct gloss_sim *sim;
 	struct usb_host usb;

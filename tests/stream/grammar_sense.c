@@ -99,9 +99,9 @@ uint32_t grammar_weight(const struct grammar *g, const struct table_packet *pack
 		return !g->in_tile && any_slot_allows(g, GLOSS_RIGHTS_WRITE) ? 4 : 0;
 	case GLOSS_OP_READ_MEMORY:
 		return !g->in_tile && any_slot_allows(g, GLOSS_RIGHTS_READ) &&
-				       g->answered < GRAMMAR_RESPONSE
-			       ? 4
-			       : 0;
+				       g->answered < GRAMMAR_RESPONSE ?
+			       4 :
+			       0;
 	case GLOSS_OP_COUNTERS:
 		return g->in_tile || g->answered + GLOSS_COUNTER_WORDS > GRAMMAR_RESPONSE ? 0 : 2;
 	case GLOSS_OP_TILE_BEGIN:
@@ -280,8 +280,8 @@ void grammar_sense_part(struct grammar *g, const struct table_record *part, uint
 	last = grammar_get(g, part, at, "last_row");
 	if (first + last >= g->tile_size && !grammar_breaks(g, RULE)) {
 		first %= g->tile_size;
-		last = grammar_once(g, 2) ? g->tile_size - 1 - first
-					  : last % (g->tile_size - first);
+		last = grammar_once(g, 2) ? g->tile_size - 1 - first :
+					    last % (g->tile_size - first);
 		grammar_put(g, part, at, "first_row", first);
 		grammar_put(g, part, at, "last_row", last);
 	}

@@ -9,7 +9,7 @@
  */
 
 #define PAGE 4096u
-#define SURFACES 4			/* slots 0 to 3 have room for tiles */
+#define SURFACES 4 /* slots 0 to 3 have room for tiles */
 #define PACKET_MAX (1 + GLOSS_LENGTH_MAX)
 
 /* splitmix64 */
@@ -376,8 +376,8 @@ typedef void (*packet_fn)(struct stream_random *r);
 
 /* Packets that may stand anywhere; the often ones twice. */
 static const packet_fn anywhere[] = {
-	random_nop, random_depth_state, random_depth_state, random_colour_mask, random_scissor,
-	random_colour_surface, random_depth_surface,
+	random_nop,     random_depth_state,    random_depth_state,   random_colour_mask,
+	random_scissor, random_colour_surface, random_depth_surface,
 };
 static const packet_fn between_tiles[] = {
 	random_write, random_read, random_counters, random_colour_surface, random_depth_surface,

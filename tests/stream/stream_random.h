@@ -38,9 +38,9 @@ struct stream_random {
 	/* Of the generator. */
 	uint64_t state;
 	uint32_t response_used;
-	uint32_t budget;		/* words after which the stream is brought to its end */
+	uint32_t budget; /* words after which the stream is brought to its end */
 	struct stream_surface {
-		uint32_t slot, pitch;	/* pitch 0: not set */
+		uint32_t slot, pitch; /* pitch 0: not set */
 	} colour, depth;
 };
 

@@ -146,10 +146,23 @@ static void move_offset(struct stream_random *r)
 }
 
 static void (*const damages[])(struct stream_random *r) = {
-	flip_any, flip_header, flip_payload, replace_word, change_opcode, change_length,
-	truncate_stream, delete_word, duplicate_word, delete_packet, move_offset, shrink_response,
+	flip_any,
+	flip_header,
+	flip_payload,
+	replace_word,
+	change_opcode,
+	change_length,
+	truncate_stream,
+	delete_word,
+	duplicate_word,
+	delete_packet,
+	move_offset,
+	shrink_response,
 	/* Twice: most streams use few of the slots. */
-	take_rights, take_rights, shrink_slot, shrink_slot,
+	take_rights,
+	take_rights,
+	shrink_slot,
+	shrink_slot,
 };
 
 void stream_random_damage(struct stream_random *r)

@@ -43,9 +43,11 @@ static struct line line_at(struct point a, struct point b, int32_t row)
 	int64_t n = (a.x - 8) * dy + (16 * row + 8 - a.y) * dx + all - 1;
 	int64_t x = floor_div(n, all), step = floor_div(dx, dy);
 
-	return (struct line){ .x = (int32_t)x, .step = (int32_t)step,
+	return (struct line){ .x = (int32_t)x,
+			      .step = (int32_t)step,
 			      .r = (uint32_t)((n - x * all) / 16),
-			      .m = (uint32_t)(dx - step * dy), .dy = (uint32_t)dy };
+			      .m = (uint32_t)(dx - step * dy),
+			      .dy = (uint32_t)dy };
 }
 
 static void set_left(struct gloss_edges_wide *e, struct line line)
@@ -198,14 +200,25 @@ static bool edges_narrow(const struct gloss_edges_wide *e)
 static struct gloss_edges_compact narrow(const struct gloss_edges_wide *e)
 {
 	return (struct gloss_edges_compact){
-		.left_x = e->left_x, .left_step = e->left_step, .left_r = e->left_r,
-		.left_m = e->left_m, .left_dy = e->left_dy,
-		.right_x = e->right_x, .right_step = e->right_step, .right_r = e->right_r,
-		.right_m = e->right_m, .right_dy = e->right_dy,
-		.middle_x = e->middle_x, .middle_step = e->middle_step, .middle_r = e->middle_r,
-		.middle_m = e->middle_m, .middle_dy = e->middle_dy,
-		.first_row = e->first_row, .last_row = e->last_row,
-		.switch_row = e->switch_row, .side = e->side,
+		.left_x = e->left_x,
+		.left_step = e->left_step,
+		.left_r = e->left_r,
+		.left_m = e->left_m,
+		.left_dy = e->left_dy,
+		.right_x = e->right_x,
+		.right_step = e->right_step,
+		.right_r = e->right_r,
+		.right_m = e->right_m,
+		.right_dy = e->right_dy,
+		.middle_x = e->middle_x,
+		.middle_step = e->middle_step,
+		.middle_r = e->middle_r,
+		.middle_m = e->middle_m,
+		.middle_dy = e->middle_dy,
+		.first_row = e->first_row,
+		.last_row = e->last_row,
+		.switch_row = e->switch_row,
+		.side = e->side,
 	};
 }
 
@@ -272,8 +285,8 @@ static void random_surface(struct stream_random *r, int words)
 {
 	bool wild = chance(r, 15);
 
-	stream_random_emit(r, wild ? stream_random_word(r) :
-				     below(r, 256u << GLOSS_COLOUR_FRACTION));
+	stream_random_emit(r,
+			   wild ? stream_random_word(r) : below(r, 256u << GLOSS_COLOUR_FRACTION));
 	for (int n = 1; n < words; n++)
 		stream_random_emit(r, (uint32_t)spread(r, wild ? 32 : n < 3 ? 25 : 19));
 }

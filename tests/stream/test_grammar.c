@@ -19,8 +19,8 @@
 #include "grammar_engine.h"
 #include "model/model.h"
 
-#define BATCH	4
-#define GROUP	32
+#define BATCH 4
+#define GROUP 32
 #define ENGINES 4
 
 struct test {
@@ -151,8 +151,9 @@ static int run_cores(struct test *test, const struct grammar_result *model)
 {
 	for (uint32_t n = 0; n < test->engines; n++) {
 		struct grammar_engine *engine = &test->engine[n];
-		uint64_t stalls =
-			test->number % 8 ? test->seed ^ (test->number * 0x9e3779b97f4a7c15) : 0;
+		uint64_t stalls = test->number % 8 ?
+					  test->seed ^ (test->number * 0x9e3779b97f4a7c15) :
+					  0;
 		const char *wrong;
 
 		if (grammar_engine_is_board(engine))

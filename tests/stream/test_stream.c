@@ -26,7 +26,7 @@
 #define FAULTS (GLOSS_FAULT_MEMORY + 1)
 
 struct test {
-	const char *plugin, *failed;	/* paths; failed is where a failing stream goes */
+	const char *plugin, *failed; /* paths; failed is where a failing stream goes */
 	const struct gloss_sim_ops *ops;
 	struct gloss_sim *sim;
 	struct model model;
@@ -37,7 +37,7 @@ struct test {
 
 	/* What was run. */
 	uint64_t valid, damaged, faults[FAULTS], clocks;
-	double slowest;			/* most of the bound that a job took */
+	double slowest; /* most of the bound that a job took */
 };
 
 /* Says how to repeat the failure, and leaves the stream for gloss-decode. */
@@ -50,7 +50,8 @@ static int fail(const struct test *test, int job, const char *what)
 	fprintf(stderr, "repeat: GLOSS_SEED=%" PRIu64 " test_stream -g %" PRIu64 " -n 1 %s\n",
 		test->seed, test->group, test->plugin);
 	if (file && fwrite(j->stream, 4, j->stream_words, file) == j->stream_words)
-		fprintf(stderr, "see: gloss-decode --tile %u %s\n", test->ops->tile_size, test->failed);
+		fprintf(stderr, "see: gloss-decode --tile %u %s\n", test->ops->tile_size,
+			test->failed);
 	if (file)
 		fclose(file);
 	return 1;
@@ -65,7 +66,8 @@ static uint64_t bound(const struct test *test, const struct accel_job *job, bool
 	uint64_t size = test->ops->tile_size, rows = size * size / test->ops->pixels_per_clock;
 	uint64_t clocks = 1000 + 4ull * job->stream_words + job->response_words;
 
-	for (uint32_t at = 0; at < job->stream_words; at += 1 + gloss_header_length(job->stream[at])) {
+	for (uint32_t at = 0; at < job->stream_words;
+	     at += 1 + gloss_header_length(job->stream[at])) {
 		switch (gloss_header_opcode(job->stream[at])) {
 		case GLOSS_OP_TRIANGLE:
 			clocks += rows + 3 * size + 100;
@@ -197,9 +199,10 @@ static int memory_error_ends_job(struct test *test)
 		{ GLOSS_OP_READ_MEMORY << 24 | 2, 1 << 16, 0 },
 		{ GLOSS_OP_WRITE_MEMORY << 24 | 3, 0, 0, 1 },
 		{ GLOSS_OP_COLOUR_SURFACE << 24 | 1, 0x100 << 16,
-		  GLOSS_OP_TILE_BEGIN << 24 | 1 << 11 | 2, 0, 0, GLOSS_OP_TILE_END << 24 | 2, 0, 0 },
-		{ GLOSS_OP_DEPTH_SURFACE << 24 | 1, 0x100 << 16, GLOSS_OP_TILE_BEGIN << 24 | 2, 0, 0,
-		  GLOSS_OP_TILE_END << 24 | 1 << 13 | 2, 0, 0 },
+		  GLOSS_OP_TILE_BEGIN << 24 | 1 << 11 | 2, 0, 0, GLOSS_OP_TILE_END << 24 | 2, 0,
+		  0 },
+		{ GLOSS_OP_DEPTH_SURFACE << 24 | 1, 0x100 << 16, GLOSS_OP_TILE_BEGIN << 24 | 2, 0,
+		  0, GLOSS_OP_TILE_END << 24 | 1 << 13 | 2, 0, 0 },
 	};
 	static const uint32_t words[] = { 3, 4, 8, 8 };
 	struct gloss_status status;
@@ -207,7 +210,9 @@ static int memory_error_ends_job(struct test *test)
 	for (int n = 0; n < 4; n++) {
 		memcpy(test->random.words, streams[n], sizeof(streams[n]));
 		test->random.job = (struct accel_job){
-			.stream = test->random.words, .stream_words = words[n], .response_words = 1,
+			.stream = test->random.words,
+			.stream_words = words[n],
+			.response_words = 1,
 			.slot[0] = { STREAM_RANDOM_MEMORY, 1 << 20, GLOSS_RIGHTS_READ_WRITE },
 		};
 		test->ops->stalls(test->sim, 0);
@@ -236,14 +241,19 @@ static int dropped_tile_between_stores_ends(struct test *test)
 	stream[words++] = row << 16;
 	for (uint32_t tile = 0; tile < 12; tile++) {
 		bool store = tile % 3 != 1;
-		uint32_t packets[] = { GLOSS_OP_TILE_BEGIN << 24 | 2, tile, 0,
-				       GLOSS_OP_TILE_END << 24 | (uint32_t)store << 11 | 2, 0, 0 };
+		uint32_t packets[] = { GLOSS_OP_TILE_BEGIN << 24 | 2,
+				       tile,
+				       0,
+				       GLOSS_OP_TILE_END << 24 | (uint32_t)store << 11 | 2,
+				       0,
+				       0 };
 
 		memcpy(stream + words, packets, sizeof(packets));
 		words += 6;
 	}
 	test->random.job = (struct accel_job){
-		.stream = stream, .stream_words = words,
+		.stream = stream,
+		.stream_words = words,
 		.slot[0] = { 0, row * test->ops->tile_size, GLOSS_RIGHTS_READ_WRITE },
 	};
 	for (uint64_t seed = 1; seed <= 300; seed++) {
@@ -279,7 +289,8 @@ static int setup(struct test *test)
 	test->model_memory = malloc(STREAM_RANDOM_MEMORY);
 	test->sim_response = calloc(STREAM_RANDOM_RESPONSE, 4);
 	test->model_response = calloc(STREAM_RANDOM_RESPONSE, 4);
-	if (!test->sim_memory || !test->model_memory || !test->sim_response || !test->model_response)
+	if (!test->sim_memory || !test->model_memory || !test->sim_response ||
+	    !test->model_response)
 		return 1;
 	test->sim = test->ops->create(test->sim_memory, STREAM_RANDOM_MEMORY);
 	return !test->sim || model_init(&test->model, (int)test->ops->tile_size, test->model_memory,
@@ -300,8 +311,8 @@ static void report(const struct test *test, uint64_t groups)
 {
 	printf("test_stream: T=%u K=%u: %" PRIu64 " valid and %" PRIu64 " damaged jobs in %" PRIu64
 	       " groups, %" PRIu64 " clocks, at most %.2f of the bound; faults",
-	       test->ops->tile_size, test->ops->pixels_per_clock, test->valid, test->damaged, groups,
-	       test->clocks, test->slowest);
+	       test->ops->tile_size, test->ops->pixels_per_clock, test->valid, test->damaged,
+	       groups, test->clocks, test->slowest);
 	for (unsigned int n = 1; n < GLOSS_FAULT_MEMORY; n++)
 		printf(" %s %" PRIu64, decode_fault_name((enum gloss_fault)n), test->faults[n]);
 	printf("\n");
@@ -331,7 +342,8 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	test.plugin = argv[optind];
-	printf("seed %" PRIu64 " (GLOSS_SEED=%" PRIu64 " repeats this run)\n", test.seed, test.seed);
+	printf("seed %" PRIu64 " (GLOSS_SEED=%" PRIu64 " repeats this run)\n", test.seed,
+	       test.seed);
 	failed = setup(&test);
 	for (test.group = first; !failed && test.group < first + groups; test.group++)
 		failed = run_group(&test);

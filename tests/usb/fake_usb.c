@@ -11,7 +11,7 @@
 struct fake_usb fake_usb;
 struct fake_state fake = { .lock = PTHREAD_MUTEX_INITIALIZER };
 
-static _Atomic unsigned int waiting;	/* for fake.lock */
+static _Atomic unsigned int waiting; /* for fake.lock */
 
 static uint8_t memory[FAKE_USB_BOARDS][FAKE_USB_BOARD_BYTES] __attribute__((aligned(4096)));
 
@@ -153,10 +153,12 @@ void fake_usb_stop(void)
 const char *fake_usb_fault_name(enum fake_usb_fault fault)
 {
 	static const char *const name[FAKE_USB_FAULTS] = {
-		"no fault", "unplug", "kill", "glitch", "bus reset", "stall OUT", "stall IN", "stall event",
-		"error OUT", "error IN", "overflow IN", "lose OUT", "lose IN", "repeat IN",
-		"short IN", "empty IN", "odd IN", "garbage IN", "garbage OUT", "garbage event",
-		"hang IN", "hang OUT", "refuse control", "hang control", "reset lasts", "delay",
+		"no fault",    "unplug",   "kill",           "glitch",       "bus reset",
+		"stall OUT",   "stall IN", "stall event",    "error OUT",    "error IN",
+		"overflow IN", "lose OUT", "lose IN",        "repeat IN",    "short IN",
+		"empty IN",    "odd IN",   "garbage IN",     "garbage OUT",  "garbage event",
+		"hang IN",     "hang OUT", "refuse control", "hang control", "reset lasts",
+		"delay",
 	};
 
 	return name[fault];

@@ -30,14 +30,14 @@
 
 /* A board; the bus has it while @present. Set it up while no host looks. */
 struct fake_usb_board {
-	const struct gloss_usb_board_ops *ops;	/* used when it is first plugged in */
+	const struct gloss_usb_board_ops *ops; /* used when it is first plugged in */
 	bool present;
-	bool foreign;			/* another program has claimed interface 0 */
-	bool kernel_driver;		/* a driver of the kernel has it */
-	int open_error;			/* of libusb_open; 0: it opens */
+	bool foreign;       /* another program has claimed interface 0 */
+	bool kernel_driver; /* a driver of the kernel has it */
+	int open_error;     /* of libusb_open; 0: it opens */
 	enum libusb_speed speed;
 	uint16_t vendor, product;
-	const char *manufacturer_text, *product_text, *serial;	/* NULL: it has none */
+	const char *manufacturer_text, *product_text, *serial; /* NULL: it has none */
 
 	/* Its configuration; endpoints are those of interface 0. */
 	uint8_t interfaces, interface_class, interface_subclass, interface_protocol;
@@ -51,36 +51,36 @@ struct fake_usb_board {
 /* What can happen on the cable of a board. The @at-th is counted from arming, from 1. */
 enum fake_usb_fault {
 	FAKE_USB_NO_FAULT,
-	FAKE_USB_UNPLUG,		/* at the at-th packet of any endpoint, control too; @value
+	FAKE_USB_UNPLUG,    /* at the at-th packet of any endpoint, control too; @value
 					 * 1: and plugged in at once, 2: with power lost */
-	FAKE_USB_KILL,			/* so, but for the host: its board stays as it is */
-	FAKE_USB_GLITCH,		/* so, but the board is in its power-on state again, and
+	FAKE_USB_KILL,      /* so, but for the host: its board stays as it is */
+	FAKE_USB_GLITCH,    /* so, but the board is in its power-on state again, and
 					 * its memory as it comes */
-	FAKE_USB_BUS_RESET,		/* so, but another program resets the device: what is in
+	FAKE_USB_BUS_RESET, /* so, but another program resets the device: what is in
 					 * flight ends, and the claim is lost, which only the
 					 * kernel knows */
-	FAKE_USB_STALL_OUT,		/* the at-th transfer; the endpoint is halted */
+	FAKE_USB_STALL_OUT, /* the at-th transfer; the endpoint is halted */
 	FAKE_USB_STALL_IN,
 	FAKE_USB_STALL_EVENT,
-	FAKE_USB_ERROR_OUT,		/* the at-th transfer ends with LIBUSB_TRANSFER_ERROR */
+	FAKE_USB_ERROR_OUT, /* the at-th transfer ends with LIBUSB_TRANSFER_ERROR */
 	FAKE_USB_ERROR_IN,
 	FAKE_USB_OVERFLOW_IN,
-	FAKE_USB_LOSE_OUT,		/* the at-th transfer is taken and its words dropped */
-	FAKE_USB_LOSE_IN,		/* the at-th packet */
+	FAKE_USB_LOSE_OUT, /* the at-th transfer is taken and its words dropped */
+	FAKE_USB_LOSE_IN,  /* the at-th packet */
 	FAKE_USB_REPEAT_IN,
-	FAKE_USB_SHORT_IN,		/* the at-th packet comes in two halves */
-	FAKE_USB_EMPTY_IN,		/* empty packets, @value of them, before the at-th */
-	FAKE_USB_ODD_IN,		/* the at-th packet's last word lacks 1 to 3 bytes */
-	FAKE_USB_GARBAGE_IN,		/* the at-th word and the @value after it */
+	FAKE_USB_SHORT_IN,   /* the at-th packet comes in two halves */
+	FAKE_USB_EMPTY_IN,   /* empty packets, @value of them, before the at-th */
+	FAKE_USB_ODD_IN,     /* the at-th packet's last word lacks 1 to 3 bytes */
+	FAKE_USB_GARBAGE_IN, /* the at-th word and the @value after it */
 	FAKE_USB_GARBAGE_OUT,
-	FAKE_USB_GARBAGE_EVENT,		/* an event that the board did not send, now */
-	FAKE_USB_HANG_IN,		/* from the at-th word on, until CONTROL.reset */
-	FAKE_USB_HANG_OUT,		/* no word is taken any more, likewise */
-	FAKE_USB_REFUSE_CONTROL,	/* the at-th request and the @value after it are stalled */
-	FAKE_USB_HANG_CONTROL,		/* those are not answered */
-	FAKE_USB_RESET_LASTS,		/* CONTROL.reset reads 1 @value times, until when it
+	FAKE_USB_GARBAGE_EVENT,  /* an event that the board did not send, now */
+	FAKE_USB_HANG_IN,        /* from the at-th word on, until CONTROL.reset */
+	FAKE_USB_HANG_OUT,       /* no word is taken any more, likewise */
+	FAKE_USB_REFUSE_CONTROL, /* the at-th request and the @value after it are stalled */
+	FAKE_USB_HANG_CONTROL,   /* those are not answered */
+	FAKE_USB_RESET_LASTS,    /* CONTROL.reset reads 1 @value times, until when it
 					 * has not been done, and writes are lost */
-	FAKE_USB_DELAY,			/* each end comes @value us later, from now on */
+	FAKE_USB_DELAY,          /* each end comes @value us later, from now on */
 	FAKE_USB_FAULTS
 };
 
@@ -88,18 +88,18 @@ enum fake_usb_fault {
 struct fake_usb {
 	struct fake_usb_board board[FAKE_USB_BOARDS];
 
-	unsigned int calls;		/* that can fail */
+	unsigned int calls; /* that can fail */
 	unsigned int submits, callbacks;
-	unsigned int control_submits;	/* of these, for registers */
-	unsigned int depth_out, depth_in;	/* most transfers in flight at once */
-	unsigned int resets;		/* CONTROL.reset written */
-	unsigned int implicit_claims;	/* that the kernel made, with a warning in its log */
-	unsigned int fired;		/* faults that have come, those of calls too */
+	unsigned int control_submits;     /* of these, for registers */
+	unsigned int depth_out, depth_in; /* most transfers in flight at once */
+	unsigned int resets;              /* CONTROL.reset written */
+	unsigned int implicit_claims;     /* that the kernel made, with a warning in its log */
+	unsigned int fired;               /* faults that have come, those of calls too */
 	uint64_t out_words, in_words;
 
 	/* That are there now. */
 	unsigned int contexts, lists, devices, configurations, handles, claims, transfers,
-		     in_flight, hotplug_callbacks;
+		in_flight, hotplug_callbacks;
 };
 
 extern struct fake_usb fake_usb;

@@ -42,8 +42,9 @@ bool fake_bridge_packet(struct fake_bridge *bridge)
 	}
 	if (fake_bridge_fault(bridge, FAKE_USB_BUS_RESET)) {
 		fake_handle_lose_claims(number(bridge));
-		fake_transfer_end_all(bridge, NULL, fake_below(2) ? LIBUSB_TRANSFER_CANCELLED :
-								    LIBUSB_TRANSFER_ERROR);
+		fake_transfer_end_all(bridge, NULL,
+				      fake_below(2) ? LIBUSB_TRANSFER_CANCELLED :
+						      LIBUSB_TRANSFER_ERROR);
 		return false;
 	}
 	if (fake_bridge_fault(bridge, FAKE_USB_KILL)) {
@@ -202,7 +203,8 @@ int fake_bridge_request(struct fake_bridge *bridge)
 	if (control_fault(bridge, FAKE_USB_HANG_CONTROL, &bridge->silences))
 		return LIBUSB_ERROR_TIMEOUT;
 	return control_fault(bridge, FAKE_USB_REFUSE_CONTROL, &bridge->refusals) ?
-	       LIBUSB_ERROR_PIPE : 0;
+		       LIBUSB_ERROR_PIPE :
+		       0;
 }
 
 static bool control_pump(struct fake_bridge *bridge)
@@ -245,8 +247,8 @@ static bool cancel_pump(struct fake_bridge *bridge)
 static bool bridge_pump(struct fake_bridge *bridge)
 {
 	static bool (*const step[])(struct fake_bridge *) = {
-		cancel_pump, control_pump, fake_out_pump, fake_out_offer, fake_in_take,
-		fake_in_pump, fake_event_pump,
+		cancel_pump,  control_pump, fake_out_pump,   fake_out_offer,
+		fake_in_take, fake_in_pump, fake_event_pump,
 	};
 	bool moved = false;
 

@@ -13,10 +13,10 @@
 #include "fake_usb_priv.h"
 
 #define NS_PER_S 1000000000ll
-#define LEAP_NS 50000000ll		/* at once */
-#define LEAP_AFTER_NS 100000ll		/* nobody did anything for so long */
+#define LEAP_NS 50000000ll     /* at once */
+#define LEAP_AFTER_NS 100000ll /* nobody did anything for so long */
 #define SLICE_NS 2000000ll
-#define SLOWNESS 16			/* times slower than outside */
+#define SLOWNESS 16 /* times slower than outside */
 
 int __real_clock_gettime(clockid_t clock, struct timespec *now);
 int __real_pthread_cond_clockwait(pthread_cond_t *cond, pthread_mutex_t *mutex, clockid_t clock,

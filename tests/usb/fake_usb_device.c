@@ -5,7 +5,7 @@
 #define HOTPLUGS 4
 
 struct hotplug {
-	struct libusb_context *context;		/* NULL: free */
+	struct libusb_context *context; /* NULL: free */
 	int events;
 	libusb_hotplug_callback_fn callback;
 	void *data;
@@ -123,8 +123,9 @@ static struct libusb_device *device_get(struct libusb_context *context, unsigned
 	}
 	if (!unused)
 		fake_violation("too many devices");
-	*unused = (struct libusb_device){ .references = 1, .context = context, .board = board,
-					  .plug = fake.bridge[board].plug };
+	*unused = (struct libusb_device){
+		.references = 1, .context = context, .board = board, .plug = fake.bridge[board].plug
+	};
 	fake_usb.devices++;
 	return unused;
 }

@@ -51,7 +51,8 @@ int libusb_open(libusb_device *device, libusb_device_handle **out)
 /* A handle of @board that has claimed @interface. */
 static bool interface_taken(unsigned int board, int interface)
 {
-	if (interface == 0 && (fake_usb.board[board].foreign || fake_usb.board[board].kernel_driver))
+	if (interface == 0 &&
+	    (fake_usb.board[board].foreign || fake_usb.board[board].kernel_driver))
 		return true;
 	for (struct libusb_device_handle *h = handles; h < handles + FAKE_HANDLES; h++)
 		if (h->used && h->claimed[interface] && !h->lost[interface] &&
@@ -214,7 +215,8 @@ int libusb_clear_halt(libusb_device_handle *handle, unsigned char endpoint)
 		err = fake_bridge_request(bridge);
 	if (!err)
 		bridge->halted[endpoint == GLOSS_USB_ENDPOINT_OUT ? FAKE_OUT :
-			       endpoint == GLOSS_USB_ENDPOINT_IN ? FAKE_IN : FAKE_EVENT] = false;
+			       endpoint == GLOSS_USB_ENDPOINT_IN  ? FAKE_IN :
+								    FAKE_EVENT] = false;
 	pthread_cond_broadcast(&fake.changed);
 	fake_unlock();
 	return err;
@@ -223,7 +225,9 @@ int libusb_clear_halt(libusb_device_handle *handle, unsigned char endpoint)
 int libusb_reset_device(libusb_device_handle *handle)
 {
 	static const enum libusb_transfer_status status[] = {
-		LIBUSB_TRANSFER_ERROR, LIBUSB_TRANSFER_CANCELLED, LIBUSB_TRANSFER_NO_DEVICE,
+		LIBUSB_TRANSFER_ERROR,
+		LIBUSB_TRANSFER_CANCELLED,
+		LIBUSB_TRANSFER_NO_DEVICE,
 	};
 	struct fake_bridge *bridge;
 	int err;

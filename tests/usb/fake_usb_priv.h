@@ -18,48 +18,48 @@
 #define FAKE_TRANSFERS 512
 #define FAKE_INTERFACES 2
 #define FAKE_PACKET_MAX 1024u
-#define FAKE_PACKETS 4u			/* a power of 2; most that the bridge holds of IN */
-#define FAKE_OUT_WORDS 1024u		/* most that it holds of OUT */
+#define FAKE_PACKETS 4u      /* a power of 2; most that the bridge holds of IN */
+#define FAKE_OUT_WORDS 1024u /* most that it holds of OUT */
 
 enum fake_queue { FAKE_CONTROL, FAKE_OUT, FAKE_IN, FAKE_EVENT, FAKE_QUEUES };
 
 struct libusb_context {
-	bool used, dead;		/* dead: its host was killed */
-	bool handled;			/* somebody handles its events */
+	bool used, dead; /* dead: its host was killed */
+	bool handled;    /* somebody handles its events */
 	pthread_t handler;
 	bool interrupted;
 };
 
 struct libusb_device {
-	unsigned int references;	/* 0: not there */
+	unsigned int references; /* 0: not there */
 	struct libusb_context *context;
-	unsigned int board, plug;	/* the plug-th time that it is on the bus */
-	bool announced;			/* a hotplug callback has seen it */
+	unsigned int board, plug; /* the plug-th time that it is on the bus */
+	bool announced;           /* a hotplug callback has seen it */
 };
 
 struct libusb_device_handle {
 	bool used;
 	struct libusb_device *device;
-	bool claimed[FAKE_INTERFACES];	/* as libusb knows */
-	bool lost[FAKE_INTERFACES];	/* but the kernel does not */
+	bool claimed[FAKE_INTERFACES]; /* as libusb knows */
+	bool lost[FAKE_INTERFACES];    /* but the kernel does not */
 };
 
 enum fake_transfer_state {
 	FAKE_FREE,
-	FAKE_IDLE,			/* the caller's */
-	FAKE_QUEUED,			/* the bus's, bytes may move */
-	FAKE_ENDED,			/* the bus's, until its callback is called */
+	FAKE_IDLE,   /* the caller's */
+	FAKE_QUEUED, /* the bus's, bytes may move */
+	FAKE_ENDED,  /* the bus's, until its callback is called */
 };
 
 struct fake_transfer {
-	struct fake_transfer *next;	/* in its queue, or of those ended */
+	struct fake_transfer *next; /* in its queue, or of those ended */
 	enum fake_transfer_state state;
 	enum fake_queue queue;
-	struct libusb_device_handle *handle;	/* while not idle */
+	struct libusb_device_handle *handle; /* while not idle */
 	bool cancelled;
-	bool lost;			/* OUT: its words go nowhere */
-	int64_t deadline;		/* of its time-out; INT64_MAX: none */
-	int64_t due;			/* when it is known that it has ended */
+	bool lost;        /* OUT: its words go nowhere */
+	int64_t deadline; /* of its time-out; INT64_MAX: none */
+	int64_t due;      /* when it is known that it has ended */
 	struct libusb_transfer public;
 };
 
@@ -70,23 +70,23 @@ struct fake_list {
 /* A packet on its way in. */
 struct fake_packet {
 	uint32_t bytes;
-	bool whole;			/* nothing is put to it any more */
+	bool whole; /* nothing is put to it any more */
 	uint8_t byte[FAKE_PACKET_MAX];
 };
 
 struct fake_bridge {
-	const struct gloss_usb_board_ops *ops;	/* those that made board */
+	const struct gloss_usb_board_ops *ops; /* those that made board */
 	struct gloss_usb_board *board;
 	unsigned int plug;
 	bool present;
-	unsigned int packet_bytes;	/* most of a bulk packet */
+	unsigned int packet_bytes; /* most of a bulk packet */
 	struct fake_list queue[FAKE_QUEUES];
 	bool halted[FAKE_QUEUES];
 
 	uint32_t out[FAKE_OUT_WORDS], out_first, out_count;
 	struct fake_packet packet[FAKE_PACKETS];
 	unsigned int packet_first, packet_count;
-	bool empty_follows;		/* a burst ended with a packet that was full */
+	bool empty_follows; /* a burst ended with a packet that was full */
 
 	/* Faults: what is armed, and what has come. */
 	uint64_t at[FAKE_USB_FAULTS];
@@ -96,7 +96,7 @@ struct fake_bridge {
 };
 
 struct fake_state {
-	pthread_mutex_t lock;		/* protects everything here and in fake_usb */
+	pthread_mutex_t lock; /* protects everything here and in fake_usb */
 	pthread_cond_t changed;
 	uint64_t seed;
 	struct fake_bridge bridge[FAKE_USB_BOARDS];
@@ -105,7 +105,7 @@ struct fake_state {
 	bool held;
 	bool leap_always, hurry;
 
-	const char *fail_function;	/* the fail_at-th call of it, 0: none */
+	const char *fail_function; /* the fail_at-th call of it, 0: none */
 	unsigned int fail_at;
 	bool fail_always;
 	int fail_error;
@@ -117,8 +117,7 @@ void fake_lock(void);
 void fake_unlock(void);
 /* Lets others have the lock, if there are any. */
 void fake_give_way(void);
-void fake_violation(const char *format, ...)
-	__attribute__((format(printf, 1, 2), noreturn));
+void fake_violation(const char *format, ...) __attribute__((format(printf, 1, 2), noreturn));
 uint32_t fake_random(void);
 uint32_t fake_below(uint32_t limit);
 /* Counts a call of @function that can fail; 0, or the error that it is to answer. */
@@ -187,10 +186,10 @@ void fake_put_word(uint8_t *byte, uint32_t word);
 int fake_bridge_request(struct fake_bridge *bridge);
 
 /* A step each, of those that make up a round; false: nothing moved. */
-bool fake_out_pump(struct fake_bridge *bridge);		/* transfers to the bridge */
-bool fake_out_offer(struct fake_bridge *bridge);	/* and to the port */
-bool fake_in_take(struct fake_bridge *bridge);		/* from the port */
-bool fake_in_pump(struct fake_bridge *bridge);		/* and to transfers */
+bool fake_out_pump(struct fake_bridge *bridge);  /* transfers to the bridge */
+bool fake_out_offer(struct fake_bridge *bridge); /* and to the port */
+bool fake_in_take(struct fake_bridge *bridge);   /* from the port */
+bool fake_in_pump(struct fake_bridge *bridge);   /* and to transfers */
 bool fake_event_pump(struct fake_bridge *bridge);
 
 #endif

@@ -97,8 +97,8 @@ static int bulk(libusb_device_handle *handle, unsigned char endpoint, unsigned c
 	return err;
 }
 
-int libusb_bulk_transfer(libusb_device_handle *handle, unsigned char endpoint,
-			 unsigned char *data, int length, int *actual, unsigned int timeout)
+int libusb_bulk_transfer(libusb_device_handle *handle, unsigned char endpoint, unsigned char *data,
+			 int length, int *actual, unsigned int timeout)
 {
 	return bulk(handle, endpoint, data, length, actual, timeout, LIBUSB_TRANSFER_TYPE_BULK,
 		    __func__);
@@ -107,8 +107,8 @@ int libusb_bulk_transfer(libusb_device_handle *handle, unsigned char endpoint,
 int libusb_interrupt_transfer(libusb_device_handle *handle, unsigned char endpoint,
 			      unsigned char *data, int length, int *actual, unsigned int timeout)
 {
-	return bulk(handle, endpoint, data, length, actual, timeout,
-		    LIBUSB_TRANSFER_TYPE_INTERRUPT, __func__);
+	return bulk(handle, endpoint, data, length, actual, timeout, LIBUSB_TRANSFER_TYPE_INTERRUPT,
+		    __func__);
 }
 
 /* ---- names ---- */

@@ -10,7 +10,7 @@
 #define NS_PER_US 1000ll
 #define NS_PER_MS 1000000ll
 #define NS_PER_S 1000000000ll
-#define ROUND_NS NS_PER_MS		/* where time leaps always, a flood has an end, too */
+#define ROUND_NS NS_PER_MS /* where time leaps always, a flood has an end, too */
 
 static struct fake_transfer transfers[FAKE_TRANSFERS];
 static unsigned int last_made;
@@ -62,8 +62,8 @@ struct libusb_transfer *fake_transfer_new(void)
 
 static struct fake_transfer *transfer_check(struct libusb_transfer *public, const char *function)
 {
-	struct fake_transfer *transfer =
-		(void *)((uint8_t *)public - offsetof(struct fake_transfer, public));
+	struct fake_transfer *transfer = (void *)((uint8_t *)public -
+						  offsetof(struct fake_transfer, public));
 
 	if (transfer < transfers || transfer >= transfers + FAKE_TRANSFERS ||
 	    transfer->state == FAKE_FREE)
@@ -377,8 +377,8 @@ static void events_wait(struct libusb_context *context, int64_t deadline, const 
 {
 	unsigned int callbacks = fake_usb.callbacks;
 
-	while (context->handled && fake_usb.callbacks == callbacks &&
-	       !is_completed(completed) && fake_usb_now_ns() < deadline)
+	while (context->handled && fake_usb.callbacks == callbacks && !is_completed(completed) &&
+	       fake_usb_now_ns() < deadline)
 		fake_clock_stand_by();
 }
 

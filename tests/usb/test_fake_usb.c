@@ -57,9 +57,9 @@ static uint32_t host_read(struct host *host, uint16_t offset)
 	unsigned char byte[4];
 
 	assert_int_equal(libusb_control_transfer(host->handle, 0xc1, GLOSS_USB_READ_REGISTER,
-						 offset, 0, byte, 4, 1000), 4);
-	return byte[0] | (uint32_t)byte[1] << 8 | (uint32_t)byte[2] << 16 |
-	       (uint32_t)byte[3] << 24;
+						 offset, 0, byte, 4, 1000),
+			 4);
+	return byte[0] | (uint32_t)byte[1] << 8 | (uint32_t)byte[2] << 16 | (uint32_t)byte[3] << 24;
 }
 
 /* The fake's machine and these tests' are little-endian. */
@@ -69,7 +69,8 @@ static void host_send(struct host *host, const uint32_t *words, size_t count)
 
 	assert_int_equal(libusb_bulk_transfer(host->handle, GLOSS_USB_ENDPOINT_OUT,
 					      (unsigned char *)words, (int)(4 * count), &moved,
-					      1000), 0);
+					      1000),
+			 0);
 	assert_int_equal(moved, 4 * count);
 }
 
@@ -81,7 +82,8 @@ static void host_receive(struct host *host, size_t count)
 	while (host->in_words < count) {
 		assert_int_equal(libusb_bulk_transfer(host->handle, GLOSS_USB_ENDPOINT_IN,
 						      (unsigned char *)(host->in + host->in_words),
-						      TRANSFER_BYTES, &moved, 1000), 0);
+						      TRANSFER_BYTES, &moved, 1000),
+				 0);
 		assert_int_equal(moved % 4, 0);
 		host->in_words += (size_t)moved / 4;
 	}
@@ -108,11 +110,15 @@ static void host_run(struct host *host, uint32_t value, uint32_t count)
 
 	words += packet_write(stream + words, 0, 0, value);
 	words += packet_read(stream + words, 0, 0, count);
-	gloss_usb_job_pack(stream, &(struct gloss_usb_job){
-		.slots = 1, .mark = GLOSS_USB_JOB_MAGIC, .sequence = 5,
-		.stream_words = (uint32_t)(words - 8), .response_words = count });
-	gloss_slot_entry_pack(stream + 4, &(struct gloss_slot_entry){
-		.base = 4096, .size = 4096, .rights = GLOSS_RIGHTS_READ_WRITE });
+	gloss_usb_job_pack(stream, &(struct gloss_usb_job){ .slots = 1,
+							    .mark = GLOSS_USB_JOB_MAGIC,
+							    .sequence = 5,
+							    .stream_words = (uint32_t)(words - 8),
+							    .response_words = count });
+	gloss_slot_entry_pack(stream + 4,
+			      &(struct gloss_slot_entry){ .base = 4096,
+							  .size = 4096,
+							  .rights = GLOSS_RIGHTS_READ_WRITE });
 	stream[words] = accel_usb_checksum(0, stream + GLOSS_USB_JOB_STREAM_WORDS_WORD,
 					   words - GLOSS_USB_JOB_STREAM_WORDS_WORD);
 	host_send(host, stream, words + GLOSS_USB_JOB_END_WORDS);
@@ -389,7 +395,7 @@ static void misbehave(void (*wrong)(struct host *host, struct libusb_transfer *t
 static void a_wrong_call_ends_the_process(void **state)
 {
 	static void (*const wrong[])(struct host *, struct libusb_transfer *) = {
-		submit_twice, free_in_flight, close_in_flight, release_in_flight,
+		submit_twice,      free_in_flight,  close_in_flight, release_in_flight,
 		ask_without_claim, use_after_close, leave_it_all,
 	};
 	int status;
@@ -424,8 +430,8 @@ static size_t echo(enum fake_usb_fault fault, uint32_t value, uint32_t *words, s
 	host_write(&host, GLOSS_REG_NONCE, NONCE);
 	if (fault)
 		fake_usb_arm(0, fault, 1, value);
-	libusb_bulk_transfer(host.handle, GLOSS_USB_ENDPOINT_OUT, (unsigned char *)sync, 16,
-			     &moved, 1000);
+	libusb_bulk_transfer(host.handle, GLOSS_USB_ENDPOINT_OUT, (unsigned char *)sync, 16, &moved,
+			     1000);
 	while (bytes < (int)(4 * most) &&
 	       !libusb_bulk_transfer(host.handle, GLOSS_USB_ENDPOINT_IN,
 				     (unsigned char *)words + bytes, 512, &moved, 1000))
@@ -443,14 +449,14 @@ static void a_fault_does_what_its_name_says(void **state)
 		uint32_t value;
 		size_t bytes;
 	} faults[] = {
-		{ FAKE_USB_NO_FAULT, 0, 16 }, { FAKE_USB_SHORT_IN, 0, 16 },
-		{ FAKE_USB_EMPTY_IN, 3, 16 }, { FAKE_USB_REPEAT_IN, 0, 32 },
-		{ FAKE_USB_LOSE_IN, 0, 0 }, { FAKE_USB_LOSE_OUT, 0, 0 },
-		{ FAKE_USB_HANG_IN, 0, 0 }, { FAKE_USB_HANG_OUT, 0, 0 },
-		{ FAKE_USB_STALL_IN, 0, 0 }, { FAKE_USB_STALL_OUT, 0, 0 },
-		{ FAKE_USB_ERROR_IN, 0, 0 }, { FAKE_USB_ERROR_OUT, 0, 0 },
+		{ FAKE_USB_NO_FAULT, 0, 16 },   { FAKE_USB_SHORT_IN, 0, 16 },
+		{ FAKE_USB_EMPTY_IN, 3, 16 },   { FAKE_USB_REPEAT_IN, 0, 32 },
+		{ FAKE_USB_LOSE_IN, 0, 0 },     { FAKE_USB_LOSE_OUT, 0, 0 },
+		{ FAKE_USB_HANG_IN, 0, 0 },     { FAKE_USB_HANG_OUT, 0, 0 },
+		{ FAKE_USB_STALL_IN, 0, 0 },    { FAKE_USB_STALL_OUT, 0, 0 },
+		{ FAKE_USB_ERROR_IN, 0, 0 },    { FAKE_USB_ERROR_OUT, 0, 0 },
 		{ FAKE_USB_OVERFLOW_IN, 0, 0 }, { FAKE_USB_GLITCH, 0, 0 },
-		{ FAKE_USB_UNPLUG, 0, 0 }, { FAKE_USB_KILL, 0, 0 },
+		{ FAKE_USB_UNPLUG, 0, 0 },      { FAKE_USB_KILL, 0, 0 },
 		{ FAKE_USB_GARBAGE_IN, 3, 16 }, { FAKE_USB_GARBAGE_OUT, 0, 0 },
 	};
 	uint32_t right[256], words[256];

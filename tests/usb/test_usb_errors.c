@@ -6,7 +6,7 @@
 #include "accel_test.h"
 #include "fake_usb.h"
 
-#define CALLS_MAX 40			/* of one function: those after it are the same */
+#define CALLS_MAX 40 /* of one function: those after it are the same */
 #define WORDS 3000
 
 /* 0: with the right bytes. */
@@ -81,14 +81,27 @@ static bool fail_call(const char *function, unsigned int at, int error, uint64_t
 static void every_error_of_every_call_is_told_or_helped(void **state)
 {
 	static const char *const functions[] = {
-		"libusb_init", "libusb_set_option", "libusb_get_device_list",
-		"libusb_get_device_descriptor", "libusb_get_active_config_descriptor",
-		"libusb_open", "libusb_get_string_descriptor_ascii",
-		"libusb_set_auto_detach_kernel_driver", "libusb_get_configuration",
-		"libusb_claim_interface", "libusb_release_interface", "libusb_control_transfer",
-		"libusb_bulk_transfer", "libusb_interrupt_transfer", "libusb_alloc_transfer",
-		"libusb_submit_transfer", "libusb_cancel_transfer", "libusb_clear_halt",
-		"libusb_reset_device", "libusb_handle_events", "libusb_hotplug_register_callback",
+		"libusb_init",
+		"libusb_set_option",
+		"libusb_get_device_list",
+		"libusb_get_device_descriptor",
+		"libusb_get_active_config_descriptor",
+		"libusb_open",
+		"libusb_get_string_descriptor_ascii",
+		"libusb_set_auto_detach_kernel_driver",
+		"libusb_get_configuration",
+		"libusb_claim_interface",
+		"libusb_release_interface",
+		"libusb_control_transfer",
+		"libusb_bulk_transfer",
+		"libusb_interrupt_transfer",
+		"libusb_alloc_transfer",
+		"libusb_submit_transfer",
+		"libusb_cancel_transfer",
+		"libusb_clear_halt",
+		"libusb_reset_device",
+		"libusb_handle_events",
+		"libusb_hotplug_register_callback",
 	};
 	uint64_t seed = test_seed();
 	unsigned int lives = 0;

@@ -23,9 +23,9 @@
 
 #define RETRIES 3
 #define TOLD_NS 1500000000ll
-#define ENDS_NS 100000000000ll		/* of the library's time: it may try again */
-#define DEPTH 4				/* transfers in flight, at least */
-#define CALL FAKE_USB_FAULTS		/* not the cable: a call answers an error */
+#define ENDS_NS 100000000000ll /* of the library's time: it may try again */
+#define DEPTH 4                /* transfers in flight, at least */
+#define CALL FAKE_USB_FAULTS   /* not the cable: a call answers an error */
 
 /* Outside; what takes long here takes a tenth of a second. */
 static unsigned int hang_seconds(void)
@@ -36,11 +36,11 @@ static unsigned int hang_seconds(void)
 }
 
 struct fault {
-	int kind;			/* enum fake_usb_fault, or CALL */
+	int kind; /* enum fake_usb_fault, or CALL */
 	uint64_t at;
 	uint32_t value;
 	int error;
-	bool early;			/* armed before the board is opened */
+	bool early; /* armed before the board is opened */
 };
 
 /* Those of a case. */
@@ -55,12 +55,12 @@ struct count {
 };
 
 struct test {
-	const char *name;		/* of the device */
-	const struct gloss_usb_board_ops *rtl;	/* NULL: the model of the board */
+	const char *name;                      /* of the device */
+	const struct gloss_usb_board_ops *rtl; /* NULL: the model of the board */
 	uint64_t seed, number;
-	struct accel_device *model[2];	/* with tiles of 32 and 64 pixels */
+	struct accel_device *model[2]; /* with tiles of 32 and 64 pixels */
 	struct count count[CALL + 1];
-	unsigned int depth_out, depth_in;	/* most transfers in flight */
+	unsigned int depth_out, depth_in; /* most transfers in flight */
 	char text[512];
 };
 
@@ -474,8 +474,8 @@ static int report(const struct test *t)
 {
 	unsigned int cases = 0, fired = 0;
 
-	printf("%-16s %6s %6s %6s %6s %6s %6s\n", "fault", "cases", "came", "fine", "EIO",
-	       "ENODEV", "other");
+	printf("%-16s %6s %6s %6s %6s %6s %6s\n", "fault", "cases", "came", "fine", "EIO", "ENODEV",
+	       "other");
 	for (int kind = 1; kind <= CALL; kind++) {
 		const struct count *c = &t->count[kind];
 

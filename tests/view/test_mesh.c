@@ -89,8 +89,9 @@ static void good_normals_are_kept_beside_bad_ones(void **state)
 	struct mesh mesh;
 
 	(void)state;
-	load_text(".obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 -0.8\nf 1//1 2//1 3//1\n"
-			  "o b\nv 0 0 1\nv 1 0 1\nv 0 1 1\nvn 0 0.6 0.8\nf 4//2 5//2 6//2\n",
+	load_text(".obj",
+		  "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 -0.8\nf 1//1 2//1 3//1\n"
+		  "o b\nv 0 0 1\nv 1 0 1\nv 0 1 1\nvn 0 0.6 0.8\nf 4//2 5//2 6//2\n",
 		  &mesh);
 	assert_int_equal(mesh.vertices, 6);
 	for (uint32_t i = 0; i < 6; i++) {
@@ -106,8 +107,10 @@ static void normals_of_stl_are_never_believed(void **state)
 	struct mesh mesh;
 
 	(void)state;
-	load_text(".stl", "solid s\nfacet normal 0.6 0 0.8\nouter loop\nvertex 0 0 0\n"
-			  "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n", &mesh);
+	load_text(".stl",
+		  "solid s\nfacet normal 0.6 0 0.8\nouter loop\nvertex 0 0 0\n"
+		  "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n",
+		  &mesh);
 	assert_normals_fit(&mesh, 0.9999);
 	mesh_free(&mesh);
 }
@@ -127,7 +130,8 @@ static void a_mirrored_node_keeps_its_outside(void **state)
 		  "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
 		  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
 		  "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
-		  "\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}", &mesh);
+		  "\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}",
+		  &mesh);
 	assert_normals_fit(&mesh, 0.9999);
 	for (uint32_t i = 0; i < mesh.vertices; i++)
 		assert_true(mesh.normal[i][2] > 0.9999f && mesh.position[i][0] <= 0);
@@ -150,7 +154,8 @@ static void base_colours_of_gltf_are_those_of_the_mesh(void **state)
 		  "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
 		  "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
 		  "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
-		  "\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}", &mesh);
+		  "\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,0]}]}",
+		  &mesh);
 	assert_non_null(mesh.colour);
 	for (uint32_t i = 0; i < mesh.vertices; i++) {
 		assert_true(fabsf(mesh.colour[i][0] - 0.7354f) < 1e-3f);

@@ -80,7 +80,8 @@ static void a_cylinder_is_round_and_its_rim_is_sharp(void **state)
 	}
 	for (uint32_t i = 0; i < SIDES; i++) {
 		uint32_t low = i * 2, next = (i + 1) % SIDES * 2;
-		uint32_t three[3][3] = { { low, next, next + 1 }, { low, next + 1, low + 1 },
+		uint32_t three[3][3] = { { low, next, next + 1 },
+					 { low, next + 1, low + 1 },
 					 { low + 1, next + 1, SIDES * 2 } };
 
 		memcpy(raw.triangle[i * 3], three, sizeof(three));
@@ -168,9 +169,9 @@ static void equal_vertices_are_joined_and_near_ones_are_not(void **state)
 		for (uint32_t i = 0; i < raw.vertices; i++) {
 			raw.triangle[i / 3][i % 3] = i;
 			for (int axis = 0; axis < 3; axis++)
-				raw.position[i][axis] =
-					ldexpf(sphere.position[sphere.triangle[i / 3][i % 3]][axis],
-					       exponent);
+				raw.position[i][axis] = ldexpf(
+					sphere.position[sphere.triangle[i / 3][i % 3]][axis],
+					exponent);
 		}
 		build(&raw, &smooth, &mesh);
 		assert_int_equal(mesh.vertices, sphere.vertices);

@@ -257,7 +257,7 @@ static void tell(void *data)
 
 /* Until the one who waits has told so. */
 static int load_when_told(const char *path, const struct mesh_options *given, struct mesh *mesh,
-		       char message[MESH_MESSAGE])
+			  char message[MESH_MESSAGE])
 {
 	const int *pipe = given->data;
 	char byte;

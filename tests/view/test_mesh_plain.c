@@ -23,7 +23,7 @@ struct plain {
 	const struct mesh *raw;
 	enum mesh_normals normals;
 	float crease;
-	uint32_t corner[CORNERS], group[CORNERS], corners;	/* of a place */
+	uint32_t corner[CORNERS], group[CORNERS], corners; /* of a place */
 	struct mesh mesh;
 };
 
@@ -65,7 +65,8 @@ static float look(const struct plain *plain, uint32_t corner, double normal[3])
 		normal[i] = u[j] * v[k] - u[k] * v[j];
 	}
 	return (float)atan2(sqrt(normal[0] * normal[0] + normal[1] * normal[1] +
-				 normal[2] * normal[2]), cosine);
+				 normal[2] * normal[2]),
+			    cosine);
 }
 
 static void face_of(const struct plain *plain, uint32_t corner, float normal[3])
@@ -104,7 +105,8 @@ static void join_neighbours(struct plain *plain, uint32_t i, uint32_t step)
 	face_of(plain, plain->corner[i], own);
 	for (uint32_t j = i; j-- && seen < SHARING && !is_zero(own);) {
 		face_of(plain, plain->corner[j], other);
-		if (is_zero(other) || !share_an_edge(plain, plain->corner[i], plain->corner[j], step))
+		if (is_zero(other) ||
+		    !share_an_edge(plain, plain->corner[i], plain->corner[j], step))
 			continue;
 		seen++;
 		if (own[0] * other[0] + own[1] * other[1] + own[2] * other[2] >= plain->crease)
@@ -180,8 +182,8 @@ static void build_place(struct plain *plain, uint32_t place)
 		float normal[3];
 
 		normal_of(plain, i, normal);
-		plain->mesh.triangle[corner / 3][corner % 3] =
-			vertex_like(plain, raw->triangle[corner / 3][corner % 3], normal, first);
+		plain->mesh.triangle[corner / 3][corner % 3] = vertex_like(
+			plain, raw->triangle[corner / 3][corner % 3], normal, first);
 	}
 }
 
@@ -222,7 +224,7 @@ static void random_mesh(uint64_t *seed, struct mesh *raw)
 {
 	uint32_t vertices = 3 + test_below(seed, test_below(seed, 2) ? 60 : 8);
 	uint32_t places = 1 + test_below(seed, 7);
-	bool fan = test_below(seed, 2);		/* all triangles meet at one place */
+	bool fan = test_below(seed, 2); /* all triangles meet at one place */
 
 	assert_int_equal(mesh_new(vertices, 1 + test_below(seed, CORNERS / 3), raw), 0);
 	if (test_below(seed, 2)) {
@@ -297,9 +299,8 @@ static void angles_are_those_of_the_c_library(void **state)
 	for (uint32_t i = 0; i < 15000; i++) {
 		raw.triangle[i / 3][i % 3] = i;
 		for (int j = 0; j < 3; j++)
-			raw.position[i][j] =
-				ldexpf((float)test_below(&seed, i % 2 ? 4 : 1 << 24),
-				       (int)test_below(&seed, 20) - 10);
+			raw.position[i][j] = ldexpf((float)test_below(&seed, i % 2 ? 4 : 1 << 24),
+						    (int)test_below(&seed, 20) - 10);
 	}
 	faces_make(&raw, face);
 	for (uint32_t i = 0; i < 15000; i++) {

@@ -83,10 +83,18 @@ static void shape_names_are_taken_exactly(void **state)
 		const char *name;
 		int error;
 	} names[] = {
-		{ "sphere:8", -EINVAL }, { "sphere:", -EINVAL }, { "sphere:1x", -EINVAL },
-		{ "sphere:-1", -EINVAL }, { "torus:2", -EINVAL }, { "torus:513", -EINVAL },
-		{ "plane:0", -EINVAL }, { "cube:1", -EINVAL }, { "spher", -ENOENT },
-		{ "spheres", -ENOENT }, { "", -ENOENT }, { "./sphere", -ENOENT },
+		{ "sphere:8", -EINVAL },
+		{ "sphere:", -EINVAL },
+		{ "sphere:1x", -EINVAL },
+		{ "sphere:-1", -EINVAL },
+		{ "torus:2", -EINVAL },
+		{ "torus:513", -EINVAL },
+		{ "plane:0", -EINVAL },
+		{ "cube:1", -EINVAL },
+		{ "spher", -ENOENT },
+		{ "spheres", -ENOENT },
+		{ "", -ENOENT },
+		{ "./sphere", -ENOENT },
 		{ "torus:99999999999999999999", -EINVAL },
 	};
 	struct mesh mesh;

@@ -74,7 +74,7 @@ static void triangles_that_share_an_edge_share_no_pixel(void **state)
 static void the_nearest_triangle_is_seen_whatever_the_order(void **state)
 {
 	static const float position[6][3] = {
-		{ -1, -1, 0.5f }, { 3, -1, 0.5f }, { -1, 3, 0.5f },
+		{ -1, -1, 0.5f },  { 3, -1, 0.5f },  { -1, 3, 0.5f },
 		{ -1, -1, -0.5f }, { 3, -1, -0.5f }, { -1, 3, -0.5f },
 	};
 	static const uint32_t order[2][6] = { { 0, 1, 2, 3, 4, 5 }, { 3, 4, 5, 0, 1, 2 } };
@@ -103,9 +103,11 @@ static void compare_with_library(struct board *board, struct fixture *f, struct 
 
 	assert_int_equal(phong_draw(&f->scene, &f->frame), 0);
 	assert_int_equal(scene_draw(&f->scene, ACCEL_SHADING_GOURAUD, board->draw, board->target,
-				    NULL), 0);
-	assert_int_equal(
-		accel_target_read(board->target, ACCEL_PLANE_COLOUR, NULL, colour, SIZE * 4), 0);
+				    NULL),
+			 0);
+	assert_int_equal(accel_target_read(board->target, ACCEL_PLANE_COLOUR, NULL, colour,
+					   SIZE * 4),
+			 0);
 	assert_int_equal(accel_target_read(board->target, ACCEL_PLANE_DEPTH, NULL, depth, SIZE * 4),
 			 0);
 	quality_add(quality, &f->frame, colour, depth);
@@ -135,9 +137,9 @@ static void the_library_covers_the_same_pixels(void **state)
 
 	open_board(&board);
 	f->scene.cull = ACCEL_CULL_NONE;
-	f->scene.mesh =
-		(struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 60,
-					      .position = { .data = position });
+	f->scene.mesh = (struct accel_mesh)ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						      .vertices = 60,
+						      .position = { .data = position });
 	matrix_perspective(f->scene.projection, 40, 1, 1, 8);
 	matrix_translate(f->scene.modelview, 0, 0, -4);
 	for (int round = 0; round < 100; round++) {
@@ -176,8 +178,9 @@ static void the_library_lights_flat_faces_alike(void **state)
 /* Under an even light a mesh's colours are all there is, and the library's are the same. */
 static void colours_of_the_mesh_are_the_material(void **state)
 {
-	static const float colour[4][4] = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 },
-					    { 2, 1, -1, 1 } };
+	static const float colour[4][4] = {
+		{ 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 }, { 2, 1, -1, 1 }
+	};
 	struct fixture *f = *state;
 	struct quality quality = { 0 };
 	struct board board;

@@ -225,7 +225,7 @@ static void a_picture_is_copied_to_its_place(void **state)
 		for (int x = 0; x < 8; x++)
 			assert_int_equal(sheet.pixel[y * 8 + x],
 					 x < 5 || y < 3 ? 0xff000000u :
-					 part.pixel[(y - 3) * 3 + x - 5]);
+							  part.pixel[(y - 3) * 3 + x - 5]);
 	picture_free(&sheet);
 	picture_free(&part);
 }

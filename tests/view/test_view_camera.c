@@ -31,8 +31,10 @@ static void set_up(struct view *view, struct view_options *options, int width, i
 	view->mesh.position = corners;
 	for (int i = 0; i < 8; i++)
 		for (int axis = 0; axis < 3; axis++)
-			corners[i][axis] = middle[axis] + (i >> axis & 1 ? half : (float[3]){
-				-half[0], -half[1], -half[2] })[axis];
+			corners[i][axis] = middle[axis] + (i >> axis & 1 ?
+								   half :
+								   (float[3]){ -half[0], -half[1],
+									       -half[2] })[axis];
 	mesh_bounds(&view->mesh, view->centre, &view->radius);
 }
 

@@ -45,7 +45,8 @@ static void a_picture_in_parts_is_the_picture(void **state)
 		assert_int_equal(view_draw(&view, options.shading, &parts), VIEW_OK);
 		assert_true(view.visible > 0);
 		assert_int_equal(accel_target_new(view.device, options.width, options.height,
-						  &target), 0);
+						  &target),
+				 0);
 		view.scene.left = view.scene.top = 0;
 		assert_int_equal(scene_draw(&view.scene, options.shading, view.draw, target, NULL),
 				 0);

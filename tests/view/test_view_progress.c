@@ -63,7 +63,7 @@ static void a_short_wait_needs_no_word(void **state)
 
 	(void)state;
 	waiting_begin(&waiting, "m.obj");
-	waiting.start += 1000;		/* however slow the machine */
+	waiting.start += 1000; /* however slow the machine */
 	waiting_show(&waiting);
 	waiting_end(&waiting);
 	assert_shown("", "");

@@ -71,15 +71,15 @@ uint32_t node_long(uint32_t *to, uint32_t room);
 
 struct client {
 	int fd;
-	struct node_buffer host;		/* the next three are in it */
+	struct node_buffer host; /* the next three are in it */
 	uint32_t *stream, *response;
 	volatile struct drm_gloss_status *status;
-	uint32_t board;				/* slot 0 of every job; 0: none */
+	uint32_t board; /* slot 0 of every job; 0: none */
 	uint64_t board_size;
-	uint32_t done;				/* binary, signalled by the last job */
-	uint32_t timeline;			/* @point, signalled by the last job */
+	uint32_t done;     /* binary, signalled by the last job */
+	uint32_t timeline; /* @point, signalled by the last job */
 	uint64_t point;
-	uint32_t queued[CLIENT_QUEUE];		/* binary, signalled by the job of this number */
+	uint32_t queued[CLIENT_QUEUE]; /* binary, signalled by the job of this number */
 };
 
 /* A submission and what it points to; so it must not be copied. */

@@ -77,8 +77,8 @@ static const char *decode(const char *path, const char *options, int *status)
 	size_t length;
 	FILE *pipe;
 
-	snprintf(command, sizeof(command), "%s/gloss-decode --coredump %s %s", vm_env("GLOSS_BUILD"),
-		 options, path);
+	snprintf(command, sizeof(command), "%s/gloss-decode --coredump %s %s",
+		 vm_env("GLOSS_BUILD"), options, path);
 	pipe = popen(command, "r");
 	assert_non_null(pipe);
 	length = fread(text, 1, sizeof(text) - 1, pipe);

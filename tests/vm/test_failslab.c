@@ -52,7 +52,9 @@ static bool injected(void)
 static void configure(const char *what)
 {
 	static const char *const settings[][2] = {
-		{ "verbose", "0" }, { "ignore-gfp-wait", "N" }, { "ignore-gfp-highmem", "N" },
+		{ "verbose", "0" },
+		{ "ignore-gfp-wait", "N" },
+		{ "ignore-gfp-highmem", "N" },
 		{ "min-order", "0" },
 	};
 	char path[128];
@@ -67,9 +69,9 @@ static void configure(const char *what)
 
 struct attempt {
 	void (*prepare)(void);
-	int (*call)(void);		/* the one under test */
-	void (*undo)(void);		/* after it said 0 */
-	void (*clean)(void);		/* always */
+	int (*call)(void);   /* the one under test */
+	void (*undo)(void);  /* after it said 0 */
+	void (*clean)(void); /* always */
 };
 
 /* The handle that the next object gets. */

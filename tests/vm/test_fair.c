@@ -23,8 +23,8 @@
 #define MIB (1ull << 20)
 
 enum {
-	QUEUED = 128,			/* jobs of the greedy client */
-	JOB_US = 50000,			/* that each lasts at least */
+	QUEUED = 128,   /* jobs of the greedy client */
+	JOB_US = 50000, /* that each lasts at least */
 	/* Jobs that together last far longer than a test may, and move all the time. */
 	LONG_JOBS = 64,
 	LONG_BYTES = 24 << 20,
@@ -68,7 +68,9 @@ static uint32_t queued[QUEUED];
 static void queue_empty(struct client *by, uint32_t sync, uint32_t board, uint32_t priority)
 {
 	struct drm_gloss_slot slot = {
-		.handle = board, .rights = DRM_GLOSS_SLOT_WRITE, .size = NODE_PAGE,
+		.handle = board,
+		.rights = DRM_GLOSS_SLOT_WRITE,
+		.size = NODE_PAGE,
 	};
 	struct drm_gloss_sync out = { .handle = sync };
 	struct drm_gloss_submit submit = {
@@ -204,7 +206,9 @@ static void a_job_that_runs_too_long_ends_with_etime(void **state)
 static int queue_long(const struct client *by, uint32_t board)
 {
 	struct drm_gloss_slot slot = {
-		.handle = board, .rights = DRM_GLOSS_SLOT_WRITE, .size = NODE_PAGE,
+		.handle = board,
+		.rights = DRM_GLOSS_SLOT_WRITE,
+		.size = NODE_PAGE,
 	};
 	struct drm_gloss_submit submit = {
 		.slots = (uintptr_t)&slot,
@@ -275,8 +279,9 @@ static void memory_of_a_killed_client_is_free_soon(void **state)
 
 	(void)state;
 	kill_when_ready(take_memory_for_ever);
-	while ((err = node_create(small.fd, DRM_GLOSS_GEM_BOARD, large_object(small.fd),
-				  &board)) == -ENOSPC && now_ns() < until)
+	while ((err = node_create(small.fd, DRM_GLOSS_GEM_BOARD, large_object(small.fd), &board)) ==
+		       -ENOSPC &&
+	       now_ns() < until)
 		usleep(10000);
 	assert_int_equal(err, 0);
 	assert_int_equal(node_destroy(small.fd, board), 0);

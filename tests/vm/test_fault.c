@@ -352,8 +352,9 @@ static int open_files(void **state)
 static int close_files(void **state)
 {
 	static const uint32_t faults[] = {
-		VBOARD_FAULT_DELAY_WRITES, VBOARD_FAULT_LOSE_INTERRUPTS, VBOARD_FAULT_HANG,
-		VBOARD_FAULT_REFUSE_DMA, VBOARD_FAULT_SLOW,
+		VBOARD_FAULT_DELAY_WRITES, VBOARD_FAULT_LOSE_INTERRUPTS,
+		VBOARD_FAULT_HANG,         VBOARD_FAULT_REFUSE_DMA,
+		VBOARD_FAULT_SLOW,
 	};
 
 	(void)state;

@@ -83,7 +83,8 @@ static void foreign_free(const struct foreign *object)
 static uint32_t foreign_fence(const struct foreign *object)
 {
 	struct vgem_fence_attach attach = {
-		.handle = object->own, .flags = VGEM_FENCE_WRITE,
+		.handle = object->own,
+		.flags = VGEM_FENCE_WRITE,
 	};
 
 	assert_int_equal(node_ioctl(vgem, VGEM_FENCE_ATTACH, &attach), 0);

@@ -16,9 +16,9 @@
 
 enum {
 	PROCESSES = 2,
-	THREADS = 2,			/* of each process, on the same file */
+	THREADS = 2, /* of each process, on the same file */
 	SECONDS = 10,
-	HANDLES = 24,			/* of objects, and of syncobjs, that are named */
+	HANDLES = 24, /* of objects, and of syncobjs, that are named */
 	ARRAY = 8,
 };
 
@@ -26,7 +26,7 @@ enum {
 
 struct fuzz {
 	uint64_t state;
-	int fd, other;			/* a file of the process's, and one nobody closes */
+	int fd, other; /* a file of the process's, and one nobody closes */
 	uint64_t sent, taken;
 };
 
@@ -49,13 +49,15 @@ static uint32_t below(struct fuzz *fuzz, uint32_t n)
 static uint64_t odd_number(struct fuzz *fuzz)
 {
 	static const uint64_t numbers[] = {
-		0, 1, 2, 3, 4, 15, 16, 17, 64, 65, 4092, 4095, 4096, 4097, 8192, 1u << 30,
-		1u << 31, UINT32_MAX, 1ull << 32, (1ull << 32) + 4096, 1ull << 63, -4096ull,
-		-4ull, -1ull,
+		0,          1,        2,          3,          4,
+		15,         16,       17,         64,         65,
+		4092,       4095,     4096,       4097,       8192,
+		1u << 30,   1u << 31, UINT32_MAX, 1ull << 32, (1ull << 32) + 4096,
+		1ull << 63, -4096ull, -4ull,      -1ull,
 	};
 
-	return below(fuzz, 4) ? numbers[below(fuzz, sizeof(numbers) / sizeof(numbers[0]))]
-			      : draw(fuzz);
+	return below(fuzz, 4) ? numbers[below(fuzz, sizeof(numbers) / sizeof(numbers[0]))] :
+				draw(fuzz);
 }
 
 static uint32_t handle(struct fuzz *fuzz)
@@ -261,7 +263,7 @@ static void *fuzz_main(void *data)
 {
 	static void (*const what[])(struct fuzz *) = {
 		fuzz_submit, fuzz_submit, fuzz_submit, fuzz_submit, fuzz_create, fuzz_create,
-		fuzz_map, fuzz_close, fuzz_sync, fuzz_sync, fuzz_share, fuzz_param,
+		fuzz_map,    fuzz_close,  fuzz_sync,   fuzz_sync,   fuzz_share,  fuzz_param,
 	};
 	struct fuzz *fuzz = data;
 	struct timespec now, end;
@@ -281,7 +283,8 @@ static void process_main(uint64_t seed)
 {
 	struct fuzz fuzz[THREADS];
 	pthread_t thread[THREADS];
-	int fd = node_open(vm_env("GLOSS_NODE_MODEL")), other = node_open(vm_env("GLOSS_NODE_MODEL"));
+	int fd = node_open(vm_env("GLOSS_NODE_MODEL")),
+	    other = node_open(vm_env("GLOSS_NODE_MODEL"));
 
 	if (fd < 0 || other < 0)
 		vm_fail("open: %s", strerror(errno));

@@ -86,8 +86,8 @@ static void run_faulty_job(void)
 
 static void the_ring_counts_jobs(void **state)
 {
-	uint64_t ended = number(debugfs("ring"), "ended "), faults = number(debugfs("ring"),
-									    "with a fault ");
+	uint64_t ended = number(debugfs("ring"), "ended "),
+		 faults = number(debugfs("ring"), "with a fault ");
 
 	(void)state;
 	assert_true(client_works(&client));
@@ -201,8 +201,7 @@ static void fdinfo_counts_pages_that_are_there(void **state)
 	assert_int_equal(node_buffer_new(client.fd, 1 << 20, &buffer), 0);
 	assert_int_equal(number(fdinfo(), "drm-resident-memory:\t"), before);
 	memset(buffer.map, 1, 2 * NODE_PAGE);
-	assert_int_equal(number(fdinfo(), "drm-resident-memory:\t"),
-			 before + 2 * NODE_PAGE / 1024);
+	assert_int_equal(number(fdinfo(), "drm-resident-memory:\t"), before + 2 * NODE_PAGE / 1024);
 	node_buffer_free(client.fd, &buffer);
 }
 
@@ -288,7 +287,7 @@ static void fdinfo_moves_while_a_job_runs(void **state)
 /* The parser of IGT's tools, gputop among them, if it is installed. */
 static void igts_parser_reads_fdinfo(void **state)
 {
-	enum { KEYS = 4 };	/* driver, device, client, engine with its capacity */
+	enum { KEYS = 4 }; /* driver, device, client, engine with its capacity */
 	static char info[1 << 16];
 	unsigned int (*parse)(int fd, void *info, const char **engines, unsigned int engine_count,
 			      const char **regions, unsigned int region_count);
@@ -310,7 +309,10 @@ static void igts_parser_reads_fdinfo(void **state)
 static void a_jobs_life_can_be_traced(void **state)
 {
 	static const char *const events[] = {
-		"gloss_submit: ", "gloss_run: ", "gloss_done: ", "gloss_fault: ",
+		"gloss_submit: ",
+		"gloss_run: ",
+		"gloss_done: ",
+		"gloss_fault: ",
 	};
 	static char text[1 << 16];
 	char name[64];

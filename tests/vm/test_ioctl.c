@@ -24,7 +24,9 @@ static struct client client, other;
 static void *unmapped, *read_only;
 
 static const unsigned long requests[] = {
-	DRM_IOCTL_GLOSS_GET_PARAM, DRM_IOCTL_GLOSS_GEM_CREATE, DRM_IOCTL_GLOSS_GEM_MMAP_OFFSET,
+	DRM_IOCTL_GLOSS_GET_PARAM,
+	DRM_IOCTL_GLOSS_GEM_CREATE,
+	DRM_IOCTL_GLOSS_GEM_MMAP_OFFSET,
 	DRM_IOCTL_GLOSS_SUBMIT,
 };
 
@@ -74,8 +76,10 @@ static void unknown_ioctls_are_refused(void **state)
 
 	(void)state;
 	for (unsigned int n = DRM_GLOSS_GET_CLOCKS + 1; n < 0x60; n++)
-		assert_int_equal(node_ioctl(client.fd, DRM_IOW(DRM_COMMAND_BASE + n,
-						struct drm_gloss_submit), &zero), -EINVAL);
+		assert_int_equal(node_ioctl(client.fd,
+					    DRM_IOW(DRM_COMMAND_BASE + n, struct drm_gloss_submit),
+					    &zero),
+				 -EINVAL);
 }
 
 /* ---- GET_PARAM ---- */
@@ -175,8 +179,8 @@ static void sizes_are_rounded_up_to_pages(void **state)
 
 			assert_int_equal(node_ioctl(client.fd, DRM_IOCTL_GLOSS_GEM_CREATE, &create),
 					 0);
-			assert_int_equal(create.size, (size + NODE_PAGE - 1) / NODE_PAGE *
-						      NODE_PAGE);
+			assert_int_equal(create.size,
+					 (size + NODE_PAGE - 1) / NODE_PAGE * NODE_PAGE);
 			assert_int_equal(node_destroy(client.fd, create.handle), 0);
 		}
 	}
@@ -193,7 +197,8 @@ static void board_memory_ends_with_enospc(void **state)
 		uint64_t count = 0;
 		int err;
 
-		while (!(err = node_create(client.fd, DRM_GLOSS_GEM_BOARD, chunk, &handle[count]))) {
+		while (!(
+			err = node_create(client.fd, DRM_GLOSS_GEM_BOARD, chunk, &handle[count]))) {
 			assert_in_range(handle[count], 1, UINT32_MAX);
 			if (++count == COUNT(handle))
 				break;
@@ -201,7 +206,8 @@ static void board_memory_ends_with_enospc(void **state)
 		if (count < COUNT(handle))
 			assert_int_equal(err, -ENOSPC);
 		assert_int_equal(node_create(client.fd, DRM_GLOSS_GEM_BOARD, memory_size(),
-					     &handle[7]), -ENOSPC);
+					     &handle[7]),
+				 -ENOSPC);
 		if (!round)
 			first = count;
 		assert_int_equal(count, first);
@@ -271,7 +277,8 @@ static int export_host(void)
 	int file;
 
 	assert_int_equal(drmPrimeHandleToFD(client.fd, client.host.handle, DRM_CLOEXEC | DRM_RDWR,
-					    &file), 0);
+					    &file),
+			 0);
 	return file;
 }
 

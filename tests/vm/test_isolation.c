@@ -34,7 +34,7 @@ static uint32_t expected[CLIENT_RESPONSE_WORDS];
 
 struct victim {
 	pid_t process;
-	int ask, answer;		/* pipes */
+	int ask, answer; /* pipes */
 };
 
 static uint32_t secret(uint32_t word)
@@ -207,8 +207,7 @@ static void compare_memory(struct client *client)
 		uint32_t words = node_read(client->stream, 0, 4 * at, AT_ONCE);
 
 		assert_int_equal(client_run(client, words, AT_ONCE), 0);
-		assert_memory_equal(client->response, shadow + 4 * (size_t)at,
-				    4 * (size_t)AT_ONCE);
+		assert_memory_equal(client->response, shadow + 4 * (size_t)at, 4 * (size_t)AT_ONCE);
 		fill_response(client, AT_ONCE);
 	}
 }
@@ -226,8 +225,9 @@ static void new_board_memory_reads_zero(struct client *client)
 static void accesses_around_a_slot(struct client *client, uint32_t base, uint32_t size)
 {
 	const uint32_t offsets[] = {
-		0, 4, size - 8, size - 4, size, size + 4, size + NODE_PAGE, OBJECT - 4, OBJECT,
-		1u << 31, -base, -base - OBJECT, -OBJECT, ~0u - 3, ~0u - 7,
+		0,          4,      size - 8, size - 4, size,           size + 4, size + NODE_PAGE,
+		OBJECT - 4, OBJECT, 1u << 31, -base,    -base - OBJECT, -OBJECT,  ~0u - 3,
+		~0u - 7,
 	};
 	uint32_t stream[64], row = 4 * tile, words = 0;
 	struct accel_job job = { .stream = stream };
@@ -415,7 +415,8 @@ static void leave_secrets(uint64_t memory, bool killed)
 
 		if (client_open(&client, vm_env("GLOSS_NODE_MODEL"), 0) ||
 		    with_all_memory(&client, memory, 4 * (uint64_t)tile * tile, fill_object,
-				    &taken) || taken < memory / 2)
+				    &taken) ||
+		    taken < memory / 2)
 			_exit(1);
 		if (killed)
 			kill(getpid(), SIGKILL);

@@ -15,7 +15,7 @@
 
 enum {
 	ROUNDS = 31,
-	WARM = 20,			/* in each round */
+	WARM = 20, /* in each round */
 	TIMES = 100,
 };
 
@@ -258,7 +258,8 @@ int main(void)
 	beside_ms = beside_clears_ms(pci);
 	vm_figures((struct vm_figure[]){ { "drm.submit_us", us },
 					 { "drm.submit_vs_floor", vs_floor },
-					 { "drm.small_job_beside_clears_ms", beside_ms } }, 3);
+					 { "drm.small_job_beside_clears_ms", beside_ms } },
+		   3);
 	if (vs_floor > RATIO_MOST)
 		vm_fail("a job takes %.2f times the floor, more than %.1f", vs_floor, RATIO_MOST);
 	if (beside_ms > BESIDE_MOST_MS)

@@ -274,7 +274,8 @@ static void maps_are_shared_and_do_not_grow(void **state)
 	assert_int_equal(node_buffer_new(client.fd, 2 * NODE_PAGE, &buffer), 0);
 	assert_int_equal(node_mmap_offset(client.fd, buffer.handle, &offset), 0);
 	assert_ptr_equal(mmap(NULL, NODE_PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE, client.fd,
-			      (off_t)offset), MAP_FAILED);
+			      (off_t)offset),
+			 MAP_FAILED);
 	assert_ptr_equal(mremap(buffer.map, 2 * NODE_PAGE, 4 * NODE_PAGE, MREMAP_MAYMOVE),
 			 MAP_FAILED);
 	node_buffer_free(client.fd, &buffer);

@@ -11,16 +11,16 @@
 #include "vm_test.h"
 #include "gloss_node.h"
 
-#define check(condition, ...)                                                                      \
-	do {                                                                                       \
-		if (!(condition))                                                                  \
-			vm_fail(__VA_ARGS__);                                                      \
+#define check(condition, ...)                 \
+	do {                                  \
+		if (!(condition))             \
+			vm_fail(__VA_ARGS__); \
 	} while (0)
 
 enum {
 	PROCESSES = 4,
-	JOBS = 2500,			/* of each process */
-	WINDOW = 300,			/* under way at once in each: more than a ring holds */
+	JOBS = 2500,  /* of each process */
+	WINDOW = 300, /* under way at once in each: more than a ring holds */
 	PATTERN = 8,
 	ANSWER = 1 + PATTERN,
 };
@@ -34,7 +34,7 @@ struct storm {
 	int fd;
 	uint32_t process;
 	uint32_t board, timeline, binary;
-	struct node_buffer streams, responses, status;	/* a page each, and 16 bytes */
+	struct node_buffer streams, responses, status; /* a page each, and 16 bytes */
 	uint32_t words[WINDOW];
 };
 
@@ -62,11 +62,11 @@ static void storm_open(struct storm *storm, uint32_t process)
 	check(storm->fd >= 0, "open: %s", strerror(-storm->fd));
 	err = node_create(storm->fd, DRM_GLOSS_GEM_BOARD, NODE_PAGE, &storm->board);
 	check(!err, "board object: %s", strerror(-err));
-	err = node_sync_new(storm->fd, &storm->timeline) ?:
-	      node_sync_new(storm->fd, &storm->binary) ?:
-	      node_buffer_new(storm->fd, WINDOW * NODE_PAGE, &storm->streams) ?:
-	      node_buffer_new(storm->fd, WINDOW * NODE_PAGE, &storm->responses) ?:
-	      node_buffer_new(storm->fd, 2 * NODE_PAGE, &storm->status);
+	err = node_sync_new(storm->fd, &storm->timeline)                                ?:
+		      node_sync_new(storm->fd, &storm->binary)                          ?:
+		      node_buffer_new(storm->fd, WINDOW * NODE_PAGE, &storm->streams)   ?:
+		      node_buffer_new(storm->fd, WINDOW * NODE_PAGE, &storm->responses) ?:
+		      node_buffer_new(storm->fd, 2 * NODE_PAGE, &storm->status);
 	check(!err, "objects: %s", strerror(-err));
 }
 
@@ -92,7 +92,9 @@ static void write_stream(struct storm *storm, uint32_t n)
 static uint32_t priority(const struct storm *storm, uint32_t n)
 {
 	static const uint32_t priorities[PROCESSES] = {
-		DRM_GLOSS_PRIORITY_NORMAL, DRM_GLOSS_PRIORITY_LOW, DRM_GLOSS_PRIORITY_HIGH,
+		DRM_GLOSS_PRIORITY_NORMAL,
+		DRM_GLOSS_PRIORITY_LOW,
+		DRM_GLOSS_PRIORITY_HIGH,
 	};
 
 	if (storm->process == PROCESSES - 1)
@@ -105,7 +107,8 @@ static void send_job(struct storm *storm, uint32_t n)
 	struct drm_gloss_slot slot = { storm->board, 3, 0, NODE_PAGE };
 	struct drm_gloss_sync in = { storm->timeline, DRM_GLOSS_SYNC_TIMELINE, n - 1 };
 	struct drm_gloss_sync out[2] = {
-		{ storm->timeline, DRM_GLOSS_SYNC_TIMELINE, n }, { .handle = storm->binary },
+		{ storm->timeline, DRM_GLOSS_SYNC_TIMELINE, n },
+		{ .handle = storm->binary },
 	};
 	struct drm_gloss_submit submit = {
 		.priority = priority(storm, n),
@@ -142,14 +145,14 @@ static void check_job(const struct storm *storm, uint32_t n)
 
 	check(!err, "process %u, wait for job %u: %s", storm->process, n, strerror(-err));
 	check(!status->error && !status->cause && status->offset == storm->words[n % WINDOW] &&
-	      status->response_words == ANSWER,
+		      status->response_words == ANSWER,
 	      "process %u, job %u: status %d %u %u %u", storm->process, n, status->error,
 	      status->cause, status->offset, status->response_words);
 	check(answer[0] == n - 1, "process %u: job %u ran after job %u", storm->process, n,
 	      answer[0]);
 	for (uint32_t i = 0; i < PATTERN; i++)
-		check(answer[1 + i] == pattern(storm, n, i), "process %u, job %u: word %u is 0x%08x",
-		      storm->process, n, i, answer[1 + i]);
+		check(answer[1 + i] == pattern(storm, n, i),
+		      "process %u, job %u: word %u is 0x%08x", storm->process, n, i, answer[1 + i]);
 }
 
 static void storm_main(uint32_t process)
@@ -166,7 +169,8 @@ static void storm_main(uint32_t process)
 		send_job(&storm, n);
 	}
 	check(!node_wait(storm.fd, storm.binary, 0, vm_patience_ms()) &&
-	      !node_fence_error(storm.fd, storm.binary), "process %u: binary syncobj", process);
+		      !node_fence_error(storm.fd, storm.binary),
+	      "process %u: binary syncobj", process);
 }
 
 /* ---- a chain: each process's job waits for one of the process before ---- */
@@ -178,9 +182,9 @@ enum {
 
 struct link {
 	int fd;
-	struct node_buffer stream;	/* NOPs, so that the fillers take some time */
-	struct node_buffer status;	/* one for each round; all processes see it */
-	uint32_t before, timeline;	/* syncobjs of the process before, and its own */
+	struct node_buffer stream; /* NOPs, so that the fillers take some time */
+	struct node_buffer status; /* one for each round; all processes see it */
+	uint32_t before, timeline; /* syncobjs of the process before, and its own */
 };
 
 static struct link links[PROCESSES];
@@ -202,9 +206,9 @@ static void make_links(void)
 
 		link->fd = node_open(vm_env("GLOSS_NODE_MODEL"));
 		check(link->fd >= 0, "open: %s", strerror(-link->fd));
-		err = node_sync_new(link->fd, &link->timeline) ?:
-		      node_buffer_new(link->fd, 4 * NODE_PAGE, &link->stream) ?:
-		      node_buffer_new(link->fd, NODE_PAGE, &link->status);
+		err = node_sync_new(link->fd, &link->timeline)                        ?:
+			      node_buffer_new(link->fd, 4 * NODE_PAGE, &link->stream) ?:
+			      node_buffer_new(link->fd, NODE_PAGE, &link->status);
 		check(!err, "objects: %s", strerror(-err));
 		memset(link->status.map, 0xff, NODE_PAGE);
 		if (p)
@@ -219,7 +223,8 @@ static void wait_for_link(const struct link *link, uint64_t round)
 
 	check(!drmSyncobjTimelineWait(link->fd, &sync, &round, 1, INT64_MAX,
 				      DRM_SYNCOBJ_WAIT_FLAGS_WAIT_FOR_SUBMIT |
-				      DRM_SYNCOBJ_WAIT_FLAGS_WAIT_AVAILABLE, NULL),
+					      DRM_SYNCOBJ_WAIT_FLAGS_WAIT_AVAILABLE,
+				      NULL),
 	      "no job to wait for");
 }
 

@@ -19,7 +19,7 @@ enum { OBJECTS = 8, OBJECT_PAGES = 1024 };
 
 static struct client client;
 static struct node_buffer buffer[OBJECTS];
-static uint32_t words;			/* of the stream in each page */
+static uint32_t words; /* of the stream in each page */
 
 static uint64_t idle_pages(void)
 {

@@ -276,7 +276,8 @@ static void memory_of_a_killed_process_is_clear(void **state)
 		waitpid(victim, NULL, 0);
 		assert_int_equal(client_open(&next, node, BOARD_BYTES), 0);
 		assert_int_equal(client_run(&next, node_read(next.stream, 0, 0, BOARD_BYTES / 4),
-					    BOARD_BYTES / 4), 0);
+					    BOARD_BYTES / 4),
+				 0);
 		for (uint32_t i = 0; i < BOARD_BYTES / 4; i++)
 			assert_int_equal(next.response[i], 0);
 		client_close(&next);

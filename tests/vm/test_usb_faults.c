@@ -18,11 +18,11 @@
 
 enum {
 	POINTS = 100,
-	JOBS = 4,		/* under way at once */
-	WORDS_LOG2 = 16,	/* of a job, at most */
+	JOBS = 4,        /* under way at once */
+	WORDS_LOG2 = 16, /* of a job, at most */
 	REPLUG_MS = 50,
-	CHILD_MS = 150,		/* that a client lives */
-	WAIT_S = 30,		/* for a job: that is a hang */
+	CHILD_MS = 150, /* that a client lives */
+	WAIT_S = 30,    /* for a job: that is a hang */
 };
 
 /* What a fault may lead to; one that is no fault at all to nothing. */
@@ -30,8 +30,8 @@ enum { FAILS = 1, GONE = 2 };
 
 static const struct fault {
 	const char *name;
-	uint32_t offset;	/* in the fault window */
-	unsigned int log2;	/* the count is 1 to 2^log2 */
+	uint32_t offset;   /* in the fault window */
+	unsigned int log2; /* the count is 1 to 2^log2 */
 	unsigned int weight;
 	unsigned int leads_to;
 } faults[] = {

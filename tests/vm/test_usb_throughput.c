@@ -10,8 +10,8 @@
 
 enum {
 	ROUNDS = 15,
-	JOBS = 8,			/* of a round, all submitted before one is waited for */
-	JOB_BYTES = 4 << 20,		/* of board memory that a job writes or reads */
+	JOBS = 8,            /* of a round, all submitted before one is waited for */
+	JOB_BYTES = 4 << 20, /* of board memory that a job writes or reads */
 	WRITE_WORDS = GLOSS_LENGTH_MAX - 2,
 	READ_WORDS = 32768,
 };
@@ -21,20 +21,20 @@ enum {
 
 struct way {
 	const char *name;
-	uint8_t endpoint;		/* of the plain transfers */
+	uint8_t endpoint; /* of the plain transfers */
 	void (*fill)(struct accel_stream *stream, struct accel_buffer *buffer);
-	uint32_t response_words;	/* of a job */
+	uint32_t response_words; /* of a job */
 	double mb_s[ROUNDS], ratio[ROUNDS];
 };
 
 static uint32_t content[JOB_BYTES / 4], answer[JOBS][JOB_BYTES / 4];
 
-#define must(call)                                                                                 \
-	do {                                                                                       \
-		int must_err = (call);                                                             \
-                                                                                                   \
-		if (must_err < 0)                                                                  \
-			vm_fail("%s: %s", #call, strerror(-must_err));                             \
+#define must(call)                                                     \
+	do {                                                           \
+		int must_err = (call);                                 \
+                                                                       \
+		if (must_err < 0)                                      \
+			vm_fail("%s: %s", #call, strerror(-must_err)); \
 	} while (0)
 
 static double now(void)
@@ -85,7 +85,8 @@ static void fill_read(struct accel_stream *stream, struct accel_buffer *buffer)
 
 	must(slot);
 	for (uint32_t at = 0; at < JOB_BYTES / 4; at += READ_WORDS) {
-		const struct gloss_read_memory packet = { .slot = (uint32_t)slot, .offset = 4 * at,
+		const struct gloss_read_memory packet = { .slot = (uint32_t)slot,
+							  .offset = 4 * at,
 							  .count = READ_WORDS };
 
 		gloss_read_memory_pack(words, &packet);
@@ -153,7 +154,9 @@ int main(void)
 {
 	struct way ways[] = {
 		{ .name = "streams", .endpoint = USB_PLAIN_SINK, .fill = fill_write },
-		{ .name = "answers", .endpoint = USB_PLAIN_SOURCE, .fill = fill_read,
+		{ .name = "answers",
+		  .endpoint = USB_PLAIN_SOURCE,
+		  .fill = fill_read,
 		  .response_words = JOB_BYTES / 4 },
 	};
 	const char *board = vm_env("GLOSS_USB_MODEL");
@@ -182,7 +185,7 @@ int main(void)
 	figures[3] = (struct vm_figure){ "usb.answer_vs_bulk", median(ways[1].ratio) };
 	vm_figures(figures, 4);
 	if (figures[1].value < RATIO_LEAST)
-		vm_fail("streams move at %.2f of plain transfers, less than %.1f",
-			figures[1].value, RATIO_LEAST);
+		vm_fail("streams move at %.2f of plain transfers, less than %.1f", figures[1].value,
+			RATIO_LEAST);
 	return VM_PASS;
 }

@@ -26,8 +26,8 @@ static bool has_serial(libusb_device *device, const char *serial, libusb_device_
 	    descriptor.idVendor != GLOSS_USB_VENDOR || descriptor.idProduct != GLOSS_USB_PRODUCT ||
 	    libusb_open(device, handle))
 		return false;
-	libusb_get_string_descriptor_ascii(*handle, descriptor.iSerialNumber,
-					   (unsigned char *)text, sizeof(text));
+	libusb_get_string_descriptor_ascii(*handle, descriptor.iSerialNumber, (unsigned char *)text,
+					   sizeof(text));
 	if (!strcmp(text, serial))
 		return true;
 	libusb_close(*handle);
@@ -84,7 +84,8 @@ static bool request(struct usb_cable *cable, uint8_t type, uint8_t number, uint3
 		    uint32_t *value)
 {
 	int got = libusb_control_transfer(cable->handle, type, number, (uint16_t)offset, INTERFACE,
-					  (unsigned char *)value, sizeof(*value), (unsigned int)vm_patience_ms());
+					  (unsigned char *)value, sizeof(*value),
+					  (unsigned int)vm_patience_ms());
 
 	if (got == LIBUSB_ERROR_NO_DEVICE || got == LIBUSB_ERROR_IO)
 		return false;

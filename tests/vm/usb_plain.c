@@ -18,7 +18,7 @@ struct usb_plain {
 	libusb_device_handle *handle;
 	struct libusb_transfer *transfer[TRANSFERS];
 	uint8_t data[TRANSFERS][TRANSFER_BYTES];
-	size_t left;			/* bytes that no transfer has been submitted for */
+	size_t left; /* bytes that no transfer has been submitted for */
 	int in_flight;
 };
 
@@ -39,8 +39,8 @@ static int has_serial(libusb_device *device, const char *serial, libusb_device_h
 	    descriptor.idVendor != GLOSS_USB_VENDOR || descriptor.idProduct != GLOSS_USB_PRODUCT ||
 	    libusb_open(device, handle))
 		return 0;
-	libusb_get_string_descriptor_ascii(*handle, descriptor.iSerialNumber,
-					   (unsigned char *)text, sizeof(text));
+	libusb_get_string_descriptor_ascii(*handle, descriptor.iSerialNumber, (unsigned char *)text,
+					   sizeof(text));
 	if (!strcmp(text, serial))
 		return 1;
 	libusb_close(*handle);
@@ -128,8 +128,8 @@ double usb_plain_move(struct usb_plain *plain, uint8_t endpoint, size_t bytes)
 
 	plain->left = bytes;
 	for (int n = 0; n < TRANSFERS; n++) {
-		libusb_fill_bulk_transfer(plain->transfer[n], plain->handle, endpoint, plain->data[n],
-					  TRANSFER_BYTES, ended, plain, TIMEOUT_MS);
+		libusb_fill_bulk_transfer(plain->transfer[n], plain->handle, endpoint,
+					  plain->data[n], TRANSFER_BYTES, ended, plain, TIMEOUT_MS);
 		submit(plain, plain->transfer[n]);
 	}
 	while (plain->in_flight)

@@ -16,7 +16,7 @@ struct side {
 	struct accel_device *device;
 	struct accel_stream *stream;
 	struct accel_buffer *buffer[GLOSS_SLOTS];
-	struct accel_fence *fence[3];		/* of filling, the job, and reading back */
+	struct accel_fence *fence[3]; /* of filling, the job, and reading back */
 	struct accel_fence_status status;
 	int result;
 	uint32_t *response, *content;
@@ -25,20 +25,20 @@ struct side {
 
 struct worker {
 	pthread_t thread;
-	struct accel_device *device[2];		/* the board, the model */
+	struct accel_device *device[2]; /* the board, the model */
 	int tile_size, jobs, done, faults;
 	uint64_t seed;
 	struct stream_random random;
 	struct side side[2];
-	uint8_t memory[STREAM_RANDOM_MEMORY];	/* what slots are filled with */
+	uint8_t memory[STREAM_RANDOM_MEMORY]; /* what slots are filled with */
 };
 
-#define must(call)                                                                                 \
-	do {                                                                                       \
-		int must_err = (call);                                                             \
-                                                                                                   \
-		if (must_err < 0)                                                                  \
-			vm_fail("%s: %s", #call, strerror(-must_err));                             \
+#define must(call)                                                     \
+	do {                                                           \
+		int must_err = (call);                                 \
+                                                                       \
+		if (must_err < 0)                                      \
+			vm_fail("%s: %s", #call, strerror(-must_err)); \
 	} while (0)
 
 /* A slot of the library is not empty, has rights, and ends at a word. */
@@ -80,7 +80,8 @@ static void emit_read(struct side *side, uint32_t slot, uint32_t count)
 
 	for (uint32_t at = 0; at < count;) {
 		uint32_t now = count - at < READ_WORDS ? count - at : READ_WORDS;
-		const struct gloss_read_memory packet = { .slot = slot, .offset = 4 * at,
+		const struct gloss_read_memory packet = { .slot = slot,
+							  .offset = 4 * at,
 							  .count = now };
 
 		gloss_read_memory_pack(words, &packet);
@@ -146,10 +147,10 @@ static void compare(const struct worker *worker, uint64_t seed)
 	    board->status.offset != model->status.offset ||
 	    board->status.response_words != model->status.response_words)
 		vm_fail("job %#" PRIx64 ": board %d, fault %u at %u, %u answered; "
-			"model %d, fault %u at %u, %u answered", seed, board->result,
-			board->status.fault, board->status.offset, board->status.response_words,
-			model->result, model->status.fault, model->status.offset,
-			model->status.response_words);
+			"model %d, fault %u at %u, %u answered",
+			seed, board->result, board->status.fault, board->status.offset,
+			board->status.response_words, model->result, model->status.fault,
+			model->status.offset, model->status.response_words);
 	compare_words("the answers", seed, board->response, model->response,
 		      STREAM_RANDOM_RESPONSE);
 	compare_words("all slots", seed, board->content, model->content, board->content_words);

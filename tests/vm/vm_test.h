@@ -77,8 +77,8 @@ static inline uint64_t vm_seed(void)
 	uint64_t seed;
 
 	clock_gettime(CLOCK_REALTIME, &now);
-	seed = given && *given ? strtoull(given, NULL, 0)
-			       : (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
+	seed = given && *given ? strtoull(given, NULL, 0) :
+				 (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
 	VM_PRINT("GLOSS_SEED=%" PRIu64 "\n", seed);
 	return seed;
 }

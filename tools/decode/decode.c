@@ -9,9 +9,9 @@
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-__attribute__((format(printf, 4, 5))) static void
-fail(struct decode_packet *packet, enum gloss_fault fault, unsigned int word, const char *format,
-     ...)
+__attribute__((format(printf, 4, 5))) static void fail(struct decode_packet *packet,
+						       enum gloss_fault fault, unsigned int word,
+						       const char *format, ...)
 {
 	va_list arguments;
 
@@ -220,7 +220,8 @@ static void check_tile_end(const struct decode *decode, struct decode_packet *pa
 	if ((word == 1 ? p.colour_output : p.depth_output) == GLOSS_TILE_OUTPUT_STORE)
 		check_surface(decode, packet, word, packet->words[word]);
 	else if (packet->words[word])
-		fail(packet, GLOSS_FAULT_VALUE, word, "%s is 0x%" PRIx32 ", not zero as without store",
+		fail(packet, GLOSS_FAULT_VALUE, word,
+		     "%s is 0x%" PRIx32 ", not zero as without store",
 		     word == 1 ? "colour" : "depth", packet->words[word]);
 }
 
@@ -235,8 +236,7 @@ static void check_scissor(const struct decode *decode, struct decode_packet *pac
 		     tile_edge(decode));
 }
 
-static void check_rows(const struct decode *decode, struct decode_packet *packet,
-		       unsigned int word)
+static void check_rows(const struct decode *decode, struct decode_packet *packet, unsigned int word)
 {
 	struct gloss_edges_compact compact;
 	struct gloss_edges_wide wide;

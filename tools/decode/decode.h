@@ -20,19 +20,19 @@
 #define DECODE_PACKET_MAX (GLOSS_LENGTH_MAX + 1)
 
 struct decode {
-	unsigned int tile_size;		/* T, or 0: only what is wrong for both 32 and 64 */
-	uint64_t offset;		/* words before the next packet */
-	bool in_tile, colour_surface, depth_surface;	/* open; set */
+	unsigned int tile_size; /* T, or 0: only what is wrong for both 32 and 64 */
+	uint64_t offset;        /* words before the next packet */
+	bool in_tile, colour_surface, depth_surface; /* open; set */
 };
 
 struct decode_packet {
-	uint64_t offset;		/* of the header, in words */
-	const uint32_t *words;		/* lent by decode_next's caller */
-	size_t count;			/* words that are the packet's; 0: no packet */
-	const struct table_packet *type;	/* NULL: unknown opcode */
+	uint64_t offset;                 /* of the header, in words */
+	const uint32_t *words;           /* lent by decode_next's caller */
+	size_t count;                    /* words that are the packet's; 0: no packet */
+	const struct table_packet *type; /* NULL: unknown opcode */
 	enum gloss_fault fault;
 	uint64_t fault_offset;
-	char reason[160];		/* what is wrong, in words; "" without a fault */
+	char reason[160]; /* what is wrong, in words; "" without a fault */
 };
 
 void decode_init(struct decode *decode, unsigned int tile_size);
@@ -62,7 +62,7 @@ void decode_print_fault(FILE *out, const struct decode_packet *packet);
 /* Words of a packet whose fields are in one record. */
 struct decode_run {
 	const struct table_record *record;
-	unsigned int word;		/* of the packet, where the run begins */
+	unsigned int word; /* of the packet, where the run begins */
 	unsigned int words;
 };
 

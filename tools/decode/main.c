@@ -28,7 +28,7 @@ static const char usage[] =
 	"1 it is broken, 2 it could not be read.\n";
 
 struct options {
-	const char *path;		/* "-": standard input */
+	const char *path; /* "-": standard input */
 	unsigned int tile_size;
 	uint64_t offset, limit;
 	bool quiet, coredump;
@@ -37,10 +37,10 @@ struct options {
 /* Words of a file, so many at a time that a packet is always whole. */
 struct input {
 	FILE *file;
-	bool text;			/* hexadecimal, as in a dump */
+	bool text; /* hexadecimal, as in a dump */
 	uint32_t words[2 * DECODE_PACKET_MAX];
 	size_t begin, end;
-	unsigned int left_over;		/* bytes behind the last whole word of the file */
+	unsigned int left_over; /* bytes behind the last whole word of the file */
 };
 
 static void input_take_bytes(struct input *input)
@@ -131,23 +131,21 @@ static void parse_option(struct options *options, int option, const char *argume
 		printf("gloss-decode, interface version %u\n", GLOSS_VERSION);
 		exit(EXIT_GOOD);
 	default:
-		fputs("try --help\n", stderr);	/* getopt said what is wrong */
+		fputs("try --help\n", stderr); /* getopt said what is wrong */
 		exit(EXIT_USAGE);
 	}
 }
 
 static void parse_arguments(struct options *options, int argc, char **argv)
 {
-	static const struct option table[] = {
-		{ "coredump", no_argument, NULL, 'c' },
-		{ "tile", required_argument, NULL, 't' },
-		{ "offset", required_argument, NULL, 'o' },
-		{ "limit", required_argument, NULL, 'n' },
-		{ "quiet", no_argument, NULL, 'q' },
-		{ "help", no_argument, NULL, 'h' },
-		{ "version", no_argument, NULL, 'V' },
-		{ NULL, 0, NULL, 0 }
-	};
+	static const struct option table[] = { { "coredump", no_argument, NULL, 'c' },
+					       { "tile", required_argument, NULL, 't' },
+					       { "offset", required_argument, NULL, 'o' },
+					       { "limit", required_argument, NULL, 'n' },
+					       { "quiet", no_argument, NULL, 'q' },
+					       { "help", no_argument, NULL, 'h' },
+					       { "version", no_argument, NULL, 'V' },
+					       { NULL, 0, NULL, 0 } };
 	int option;
 
 	*options = (struct options){ .path = "-", .limit = UINT64_MAX };
@@ -219,7 +217,8 @@ static int report_cut(struct decode_packet *packet, uint64_t words, uint64_t all
 		return EXIT_BROKEN;
 	}
 	if (words < all)
-		printf("the dump has only the first %" PRIu64 " of %" PRIu64 " words\n", words, all);
+		printf("the dump has only the first %" PRIu64 " of %" PRIu64 " words\n", words,
+		       all);
 	if (packet->fault)
 		decode_print_fault(stdout, packet);
 	return packet->fault ? EXIT_BROKEN : EXIT_GOOD;
@@ -253,15 +252,16 @@ int main(int argc, char **argv)
 	if (!open_input(&input, options.path))
 		return decode_stdio_error(options.path);
 	if (options.coredump && !open_coredump(&input, options.quiet, &words, &all)) {
-		fprintf(stderr, "gloss-decode: %s: not a dump of the gloss driver's\n", options.path);
+		fprintf(stderr, "gloss-decode: %s: not a dump of the gloss driver's\n",
+			options.path);
 		return EXIT_USAGE;
 	}
 	if (!decode_file(&options, &input, &packet))
 		return decode_stdio_error(options.path);
 	if (input.file != stdin)
 		fclose(input.file);
-	status = options.coredump ? report_cut(&packet, words, all)
-				  : report(&packet, input.left_over);
+	status = options.coredump ? report_cut(&packet, words, all) :
+				    report(&packet, input.left_over);
 	if (fflush(stdout) || ferror(stdout))
 		return decode_stdio_error("standard output");
 	return status;

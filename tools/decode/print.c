@@ -5,7 +5,7 @@
 
 #include "decode/decode.h"
 
-#define DATA_WORDS 8	/* a line of words without names */
+#define DATA_WORDS 8 /* a line of words without names */
 
 static void print_upper(FILE *out, const char *name)
 {

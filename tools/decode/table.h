@@ -21,20 +21,20 @@ struct table_enum {
 
 struct table_field {
 	const char *name;
-	unsigned int word, high, low;		/* word 0 of a packet is its header */
+	unsigned int word, high, low; /* word 0 of a packet is its header */
 	enum table_type type;
-	const struct table_enum *enumeration;	/* of TABLE_ENUM */
+	const struct table_enum *enumeration; /* of TABLE_ENUM */
 	int64_t min, max;
-	const struct table_field *rest;		/* continues this one's bits upwards */
+	const struct table_field *rest; /* continues this one's bits upwards */
 	unsigned int fraction;
-	bool fixed;				/* a two's complement number with a fraction */
-	bool hex;				/* how people read it */
-	bool is_rest;				/* continues another one's */
+	bool fixed;   /* a two's complement number with a fraction */
+	bool hex;     /* how people read it */
+	bool is_rest; /* continues another one's */
 };
 
 struct table_record {
 	const char *name;
-	unsigned int words;			/* without a packet's header */
+	unsigned int words; /* without a packet's header */
 	unsigned int count;
 	const struct table_field *fields;
 };
@@ -50,7 +50,7 @@ struct table_part {
 /* Payload: the words of the record, then the parts, then, if variable without parts, the rest. */
 struct table_packet {
 	unsigned int opcode;
-	unsigned int least;			/* fewest payload words, without parts */
+	unsigned int least; /* fewest payload words, without parts */
 	struct table_record record;
 	const struct table_part *parts;
 	unsigned int count;

@@ -45,7 +45,7 @@ bool hw_enum_dense(const struct hw_enum *enumeration, uint32_t *last)
 		if (value->value > *last)
 			*last = value->value;
 	}
-	return count == *last + 1;	/* values differ, so n of them up to n-1 are all */
+	return count == *last + 1; /* values differ, so n of them up to n-1 are all */
 }
 
 static const struct hw_value *find_value(const struct hw_enum *enumeration, const char *name)
@@ -57,7 +57,7 @@ static const struct hw_value *find_value(const struct hw_enum *enumeration, cons
 	return value;
 }
 
-static const char *const type_names[] = { "uint", "int", "bool" };	/* as in enum hw_type */
+static const char *const type_names[] = { "uint", "int", "bool" }; /* as in enum hw_type */
 #define TYPE_NAMES (sizeof(type_names) / sizeof(type_names[0]))
 
 static void check_enum(const char *path, const struct hw_enum *enumeration)
@@ -101,7 +101,8 @@ static void resolve_type(const struct hw_interface *hw, struct hw_field *field)
 static void check_type(const char *path, const struct hw_field *field)
 {
 	unsigned int bits = field->type == HW_BOOL ? 1 :
-			    field->type == HW_ENUM ? field->enumeration->bits : hw_width(field);
+			    field->type == HW_ENUM ? field->enumeration->bits :
+						     hw_width(field);
 
 	if (hw_width(field) != bits)
 		hw_fail(path, field->line, "field '%s' is %u bits wide, its type '%s' %u",
@@ -290,9 +291,8 @@ static void check_register(const struct hw_interface *hw, const struct hw_record
 {
 	for (const struct hw_record *other = hw->records; other != record; other = other->next) {
 		if (other->kind == HW_REGISTER && other->offset == record->offset)
-			hw_fail(hw->path, record->line,
-				"offset 0x%03x is that of '%s' in line %lu", record->offset,
-				other->name, other->line);
+			hw_fail(hw->path, record->line, "offset 0x%03x is that of '%s' in line %lu",
+				record->offset, other->name, other->line);
 	}
 }
 

@@ -26,9 +26,9 @@
 #include <string.h>
 
 /* Bits of a header: opcode 31:24, length 10:0, the packet's own between them. */
-#define HW_HEADER_HIGH	23u
-#define HW_HEADER_LOW	11u
-#define HW_LENGTH_MAX	2047u
+#define HW_HEADER_HIGH 23u
+#define HW_HEADER_LOW 11u
+#define HW_LENGTH_MAX 2047u
 
 enum hw_type { HW_UINT, HW_INT, HW_BOOL, HW_ENUM };
 enum hw_kind { HW_GROUP, HW_PACKET, HW_STRUCT, HW_REGISTER };
@@ -48,9 +48,9 @@ struct hw_constant {
 	const char *name, *doc;
 	unsigned long line;
 	uint32_t value;
-	bool hex;				/* as it is written in the XML */
+	bool hex; /* as it is written in the XML */
 	bool port;
-	const struct hw_bus *bus;		/* inside <port>: of this bus only, or NULL */
+	const struct hw_bus *bus; /* inside <port>: of this bus only, or NULL */
 };
 
 struct hw_value {
@@ -74,13 +74,13 @@ struct hw_field {
 	unsigned long line;
 	unsigned int word, high, low;
 	const char *type_name;
-	enum hw_type type;			/* by hw_check, as the pointers */
-	const struct hw_enum *enumeration;	/* of type HW_ENUM */
+	enum hw_type type;                 /* by hw_check, as the pointers */
+	const struct hw_enum *enumeration; /* of type HW_ENUM */
 	bool has_min, has_max;
 	int64_t min, max;
-	const char *format;			/* for people: "hex", "s10.22", or NULL */
+	const char *format; /* for people: "hex", "s10.22", or NULL */
 	const char *above_name;
-	const struct hw_field *above;		/* these bits continue that field's upwards */
+	const struct hw_field *above; /* these bits continue that field's upwards */
 };
 
 /* A group that is part of a packet's payload, if a header field has a value. */
@@ -89,7 +89,7 @@ struct hw_part {
 	unsigned long line;
 	const char *group_name, *if_name, *is_name;
 	const struct hw_record *group;
-	const struct hw_field *condition;	/* NULL: always */
+	const struct hw_field *condition; /* NULL: always */
 	uint32_t value;
 };
 
@@ -100,13 +100,13 @@ struct hw_record {
 	const char *name, *doc;
 	unsigned long line;
 	bool has_words, variable;
-	bool port;				/* inside <port> */
-	const struct hw_bus *bus;		/* there, of this bus only, or NULL */
-	unsigned int words;			/* without a packet's header */
+	bool port;                /* inside <port> */
+	const struct hw_bus *bus; /* there, of this bus only, or NULL */
+	unsigned int words;       /* without a packet's header */
 	unsigned int opcode;
-	unsigned int offset;			/* of a register, in bytes */
+	unsigned int offset; /* of a register, in bytes */
 	enum hw_access access;
-	unsigned int least;			/* fewest payload words, without parts */
+	unsigned int least; /* fewest payload words, without parts */
 	struct hw_field *fields;
 	struct hw_part *parts;
 };

@@ -116,12 +116,9 @@ int main(int argc, char **argv)
 		hw_write_c, hw_write_regs, hw_write_sv, hw_write_table, hw_write_manual
 	};
 	static const struct option options[] = {
-		{ "c", required_argument, NULL, 0 },
-		{ "regs", required_argument, NULL, 1 },
-		{ "sv", required_argument, NULL, 2 },
-		{ "table", required_argument, NULL, 3 },
-		{ "manual", required_argument, NULL, 4 },
-		{ NULL, 0, NULL, 0 }
+		{ "c", required_argument, NULL, 0 },      { "regs", required_argument, NULL, 1 },
+		{ "sv", required_argument, NULL, 2 },     { "table", required_argument, NULL, 3 },
+		{ "manual", required_argument, NULL, 4 }, { NULL, 0, NULL, 0 }
 	};
 	const char *paths[sizeof(writers) / sizeof(writers[0])] = { NULL };
 	struct hw_interface hw = { NULL };

@@ -12,7 +12,7 @@
 
 struct name {
 	struct name *next;
-	unsigned long line;		/* 0: hwgen's own */
+	unsigned long line; /* 0: hwgen's own */
 	char text[];
 };
 
@@ -22,8 +22,8 @@ struct scope {
 	struct name *names;
 };
 
-__attribute__((format(printf, 3, 4))) static void
-claim(struct scope *scope, unsigned long line, const char *format, ...)
+__attribute__((format(printf, 3, 4))) static void claim(struct scope *scope, unsigned long line,
+							const char *format, ...)
 {
 	struct name *name = hw_alloc(sizeof(*name) + 2 * HW_NAME_MAX);
 	va_list arguments;
@@ -118,7 +118,7 @@ static void claim_port_record(struct scope *macros, const struct hw_record *reco
 
 static void claim_c(const struct hw_interface *hw)
 {
-	struct scope macros = { hw->path, hw_keyword_c, NULL };	/* and enum values */
+	struct scope macros = { hw->path, hw_keyword_c, NULL }; /* and enum values */
 	struct scope tags = macros, functions = macros;
 	char upper[HW_NAME_MAX], value_upper[HW_NAME_MAX];
 

@@ -8,24 +8,24 @@
 
 #include "hwgen/hwgen.h"
 
-#define DEPTH_MAX	8
-#define ATTRIBUTES_MAX	8
+#define DEPTH_MAX 8
+#define ATTRIBUTES_MAX 8
 
 struct reader {
 	XML_Parser parser;
 	struct hw_interface *hw;
-	struct hw_enum *enumeration;		/* the last one begun */
+	struct hw_enum *enumeration; /* the last one begun */
 	struct hw_record *record;
 	struct hw_bus *bus;
-	const char *attribute[ATTRIBUTES_MAX];	/* of the element being begun, by its table */
+	const char *attribute[ATTRIBUTES_MAX]; /* of the element being begun, by its table */
 
 	unsigned int depth;
 	struct {
 		const struct element *element;
-		const char **doc;		/* where a <doc> in it goes */
+		const char **doc; /* where a <doc> in it goes */
 	} open[DEPTH_MAX];
 
-	char *text;				/* of the open <doc> */
+	char *text; /* of the open <doc> */
 	size_t text_size;
 	bool in_doc;
 	unsigned long doc_line;
@@ -33,8 +33,8 @@ struct reader {
 
 struct element {
 	const char *name;
-	const char *parents;			/* names with a space before and behind each */
-	const char *attributes[ATTRIBUTES_MAX];	/* with '?' before it: may be left out */
+	const char *parents;                    /* names with a space before and behind each */
+	const char *attributes[ATTRIBUTES_MAX]; /* with '?' before it: may be left out */
 	const char **(*begin)(struct reader *reader, const struct element *element);
 };
 
@@ -50,12 +50,13 @@ static unsigned long line_of(const struct reader *reader)
 
 #define FAIL(reader, ...) hw_fail((reader)->hw->path, line_of(reader), __VA_ARGS__)
 
-#define APPEND(list, item) do {				\
-	__typeof__(list) *end_ = &(list);		\
-	while (*end_)					\
-		end_ = &(*end_)->next;			\
-	*end_ = (item);					\
-} while (0)
+#define APPEND(list, item)                        \
+	do {                                      \
+		__typeof__(list) *end_ = &(list); \
+		while (*end_)                     \
+			end_ = &(*end_)->next;    \
+		*end_ = (item);                   \
+	} while (0)
 
 static int64_t read_number(const struct reader *reader, const char *what, const char *text,
 			   int64_t min, int64_t max)
@@ -194,8 +195,7 @@ static struct hw_record *add_record(struct reader *reader, enum hw_kind kind, co
 	record->has_words = words;
 	if (words)
 		record->words = (unsigned int)read_number(reader, "words", words,
-							  kind == HW_PACKET ? 0 : 1,
-							  HW_LENGTH_MAX);
+							  kind == HW_PACKET ? 0 : 1, HW_LENGTH_MAX);
 	APPEND(reader->hw->records, record);
 	reader->record = record;
 	return record;
@@ -219,7 +219,8 @@ static const char **begin_register(struct reader *reader, const struct element *
 						   UINT16_MAX);
 	if (record->offset % 4)
 		FAIL(reader, "offset 0x%x is not a multiple of 4", record->offset);
-	while (access <= HW_RW1C && !hw_same(reader->attribute[2], hw_access_name((enum hw_access)access)))
+	while (access <= HW_RW1C &&
+	       !hw_same(reader->attribute[2], hw_access_name((enum hw_access)access)))
 		access++;
 	if (access > HW_RW1C)
 		FAIL(reader, "access is '%s', not 'ro', 'rw' or 'rw1c'", reader->attribute[2]);
@@ -239,8 +240,8 @@ static const char **begin_packet(struct reader *reader, const struct element *el
 	record->variable = variable && hw_same(variable, "yes");
 	record->least = record->words;
 	if (least)
-		record->least = (unsigned int)read_number(reader, "least", least,
-							  record->words + 1, HW_LENGTH_MAX);
+		record->least = (unsigned int)read_number(reader, "least", least, record->words + 1,
+							  HW_LENGTH_MAX);
 	if (!record->variable && !record->has_words)
 		FAIL(reader, "packet '%s' has neither words nor variable=\"yes\"", record->name);
 	if (!record->variable && least)
@@ -309,14 +310,20 @@ static const struct element elements[] = {
 	{ "enum", " interface ", { "name", "bits" }, begin_enum },
 	{ "value", " enum ", { "name", "value" }, begin_value },
 	{ "group", " interface ", { "name", "words" }, begin_words },
-	{ "packet", " interface ", { "name", "opcode", "?words", "?variable", "?least" },
+	{ "packet",
+	  " interface ",
+	  { "name", "opcode", "?words", "?variable", "?least" },
 	  begin_packet },
 	{ "struct", " interface port bus ", { "name", "words" }, begin_words },
-	{ "field", " group packet struct register ",
-	  { "name", "word", "bits", "?type", "?min", "?max", "?format", "?above" }, begin_field },
+	{ "field",
+	  " group packet struct register ",
+	  { "name", "word", "bits", "?type", "?min", "?max", "?format", "?above" },
+	  begin_field },
 	{ "part", " packet ", { "group", "?if", "?is" }, begin_part },
-	{ "doc", " interface port bus constant enum value group packet struct register field ",
-	  { NULL }, begin_doc },
+	{ "doc",
+	  " interface port bus constant enum value group packet struct register field ",
+	  { NULL },
+	  begin_doc },
 };
 
 static const struct element *find_element(const struct reader *reader, const char *name)
@@ -347,7 +354,7 @@ static void take_attributes(struct reader *reader, const struct element *element
 
 		while (i < ATTRIBUTES_MAX && element->attributes[i] &&
 		       !hw_same(element->attributes[i] + (element->attributes[i][0] == '?'),
-			      attributes[0]))
+				attributes[0]))
 			i++;
 		if (i == ATTRIBUTES_MAX || !element->attributes[i])
 			FAIL(reader, "<%s> has no attribute '%s'", element->name, attributes[0]);

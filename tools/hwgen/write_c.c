@@ -11,9 +11,9 @@
 struct writer {
 	FILE *out;
 	const struct hw_interface *hw;
-	const char *name;		/* of the interface: prefix of everything */
+	const char *name; /* of the interface: prefix of everything */
 	char upper_name[HW_NAME_MAX];
-	char upper[HW_NAME_MAX];	/* of the record being written */
+	char upper[HW_NAME_MAX]; /* of the record being written */
 };
 
 static void write_constants(const struct writer *w)
@@ -80,12 +80,14 @@ static void write_opcodes(const struct writer *w)
 	fprintf(w->out,
 		"/* A header: opcode in bits 31:24, payload length in words in bits 10:0,\n"
 		" * bits 23:11 the packet's own. */\n"
-		"#define %s_LENGTH_MAX %uu\n\n", w->upper_name, HW_LENGTH_MAX);
+		"#define %s_LENGTH_MAX %uu\n\n",
+		w->upper_name, HW_LENGTH_MAX);
 	fprintf(w->out,
 		"static inline unsigned int %s_header_opcode(uint32_t header)\n{\n"
 		"\treturn header >> 24;\n}\n\n"
 		"static inline unsigned int %s_header_length(uint32_t header)\n{\n"
-		"\treturn header & 0x%xu;\n}\n\n", w->name, w->name, HW_LENGTH_MAX);
+		"\treturn header & 0x%xu;\n}\n\n",
+		w->name, w->name, HW_LENGTH_MAX);
 }
 
 static void write_struct(const struct writer *w, const struct hw_record *r)
@@ -246,8 +248,8 @@ struct terms {
 	char text[2 * 32 + 1][192];
 };
 
-__attribute__((format(printf, 2, 3))) static void
-add_term(struct terms *terms, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void add_term(struct terms *terms, const char *format,
+							   ...)
 {
 	va_list arguments;
 
@@ -312,8 +314,8 @@ static void write_invalid(const struct writer *w, const struct hw_record *r)
 
 	fprintf(w->out,
 		"/* @words: the %u %s. Index of the first with a reserved bit set or a\n"
-		" * field out of range, or -1. */\n", r->words,
-		r->kind == HW_PACKET ? "behind the header" : "of the group");
+		" * field out of range, or -1. */\n",
+		r->words, r->kind == HW_PACKET ? "behind the header" : "of the group");
 	fprintf(w->out, "static inline int %s_%s_invalid(const uint32_t *words)\n{\n", w->name,
 		r->name);
 	for (unsigned int i = 0; i < r->words; i++) {
@@ -339,7 +341,8 @@ static void write_length(const struct writer *w, const struct hw_record *r)
 	fprintf(w->out,
 		"/* Payload words of a packet with this header. */\n"
 		"static inline uint32_t %s_%s_length(const struct %s_%s *p)\n{\n"
-		"\tuint32_t length = 0;\n\n", w->name, r->name, w->name, r->name);
+		"\tuint32_t length = 0;\n\n",
+		w->name, r->name, w->name, r->name);
 	for (const struct hw_part *part = r->parts; part; part = part->next) {
 		const struct hw_field *f = part->condition;
 
@@ -387,9 +390,11 @@ static void write_header_checks(struct writer *w)
 {
 	struct terms terms;
 
-	fprintf(w->out, "/* ---- any packet ---- */\n\n"
+	fprintf(w->out,
+		"/* ---- any packet ---- */\n\n"
 		"static inline bool %s_opcode_known(unsigned int opcode)\n{\n"
-		"\tswitch (opcode) {\n", w->name);
+		"\tswitch (opcode) {\n",
+		w->name);
 	for (const struct hw_record *r = w->hw->records; r; r = r->next) {
 		if (r->kind == HW_PACKET)
 			fprintf(w->out, "\tcase %s_OP_%s:\n", w->upper_name,
@@ -399,7 +404,8 @@ static void write_header_checks(struct writer *w)
 	fprintf(w->out,
 		"/* Are the header's reserved bits zero and its fields in range? The opcode is known. */\n"
 		"static inline bool %s_header_valid(uint32_t header)\n{\n"
-		"\tswitch (%s_header_opcode(header)) {\n", w->name, w->name);
+		"\tswitch (%s_header_opcode(header)) {\n",
+		w->name, w->name);
 	for (const struct hw_record *r = w->hw->records; r; r = r->next) {
 		if (r->kind != HW_PACKET)
 			continue;

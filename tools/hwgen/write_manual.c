@@ -132,7 +132,8 @@ static void write_length(FILE *out, const struct hw_record *r)
 static void write_index(FILE *out, const struct hw_interface *hw)
 {
 	fputs("## Packets by opcode\n\n"
-	      "| opcode | packet | payload words | |\n|---|---|---|---|\n", out);
+	      "| opcode | packet | payload words | |\n|---|---|---|---|\n",
+	      out);
 	for (unsigned int opcode = 0; opcode < 256; opcode++) {
 		for (const struct hw_record *r = hw->records; r; r = r->next) {
 			if (r->kind != HW_PACKET || r->opcode != opcode)
@@ -161,7 +162,8 @@ static void write_parts(FILE *out, const struct hw_record *r)
 		if (p->condition)
 			fprintf(out, "%s is %s", p->condition->name,
 				p->condition->type != HW_BOOL ? p->is_name :
-				p->value ? "yes" : "no");
+				p->value                      ? "yes" :
+								"no");
 		else
 			fputs("always", out);
 		fputs(" |\n", out);
@@ -227,7 +229,8 @@ static void write_port(FILE *out, const struct hw_interface *hw)
 	fputs("## Port\n\n", out);
 	write_text(out, hw->port_doc);
 	fputs("### Registers by offset\n\n"
-	      "| offset | register | access | bus | |\n|---|---|---|---|---|\n", out);
+	      "| offset | register | access | bus | |\n|---|---|---|---|---|\n",
+	      out);
 	for (unsigned int offset = 0; offset <= UINT16_MAX; offset += 4) {
 		for (const struct hw_record *r = hw->records; r; r = r->next) {
 			if (r->kind != HW_REGISTER || r->offset != offset)
@@ -285,14 +288,15 @@ void hw_write_manual(FILE *out, const struct hw_interface *hw)
 	fprintf(out,
 		"<!-- SPDX-License-Identifier: Apache-2.0 -->\n"
 		"<!-- Generated from rtl/%s.xml by tools/hwgen; do not edit. -->\n"
-		"# The %s interface, version %u\n\n", hw->name, hw_camel(title, hw->name),
-		hw->version);
+		"# The %s interface, version %u\n\n",
+		hw->name, hw_camel(title, hw->name), hw->version);
 	write_text(out, hw->doc);
 	fputs("## Header\n\n"
 	      "Word 0 of every packet. Bits without a field are reserved and zero, here and in\n"
 	      "all words.\n\n"
 	      "| bits | |\n|---:|---|\n| 31:24 | opcode |\n| 23:11 | the packet's own fields |\n"
-	      "| 10:0 | length: payload words |\n\n", out);
+	      "| 10:0 | length: payload words |\n\n",
+	      out);
 	write_index(out, hw);
 	fputs("## Packets\n\nWord 0 is the header, the payload begins at word 1.\n\n", out);
 	write_records(out, hw, HW_PACKET);

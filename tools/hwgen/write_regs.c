@@ -9,7 +9,7 @@
 struct writer {
 	FILE *out;
 	const struct hw_interface *hw;
-	char upper_name[HW_NAME_MAX];	/* of the interface */
+	char upper_name[HW_NAME_MAX]; /* of the interface */
 };
 
 static void write_constants(const struct writer *w, const struct hw_bus *bus)
@@ -113,8 +113,10 @@ static bool is_in_register(const struct hw_interface *hw, const struct hw_enum *
 /* For messages: the name of a value read from a register. */
 static void write_names(const struct writer *w, const struct hw_enum *e)
 {
-	fprintf(w->out, "\nstatic inline const char *%s_%s_name(unsigned int %s)\n{\n"
-		"\tswitch (%s) {\n", w->hw->name, e->name, e->name, e->name);
+	fprintf(w->out,
+		"\nstatic inline const char *%s_%s_name(unsigned int %s)\n{\n"
+		"\tswitch (%s) {\n",
+		w->hw->name, e->name, e->name, e->name);
 	for (const struct hw_value *v = e->values; v; v = v->next)
 		fprintf(w->out, "\tcase %u:\n\t\treturn \"%s\";\n", v->value, v->name);
 	fputs("\tdefault:\n\t\treturn \"unknown\";\n\t}\n}\n", w->out);

@@ -149,7 +149,8 @@ void hw_write_sv(FILE *out, const struct hw_interface *hw)
 	write_opcodes(out, hw);
 	write_offsets(out, hw);
 	fputs("  // Packed structs: the lowest word of a group or payload is bits 31:0.\n"
-	      "  // A _RESERVED mask has the bits that must be zero.\n\n", out);
+	      "  // A _RESERVED mask has the bits that must be zero.\n\n",
+	      out);
 	write_records(out, hw, HW_GROUP);
 	write_records(out, hw, HW_PACKET);
 	write_records(out, hw, HW_STRUCT);

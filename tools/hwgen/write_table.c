@@ -11,8 +11,10 @@ static void write_enum(FILE *out, const struct hw_enum *e)
 	fprintf(out, "static const struct table_value table_values_%s[] = {\n", e->name);
 	for (const struct hw_value *v = e->values; v; v = v->next, count++)
 		fprintf(out, "\t{ %u, \"%s\" },\n", v->value, v->name);
-	fprintf(out, "};\n\nstatic const struct table_enum table_enum_%s = {\n"
-		"\t\"%s\", %u, table_values_%s\n};\n\n", e->name, e->name, count, e->name);
+	fprintf(out,
+		"};\n\nstatic const struct table_enum table_enum_%s = {\n"
+		"\t\"%s\", %u, table_values_%s\n};\n\n",
+		e->name, e->name, count, e->name);
 }
 
 static bool is_used(const struct hw_interface *hw, const struct hw_enum *e)

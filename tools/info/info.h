@@ -14,21 +14,21 @@
 
 /* A board of a list. */
 struct info_entry {
-	char *name;			/* as --device takes it */
-	char *line;			/* for people */
+	char *name; /* as --device takes it */
+	char *line; /* for people */
 };
 
 struct info_list {
 	struct info_entry *entry;
 	size_t count;
-	bool no_memory;			/* an entry is missing */
+	bool no_memory; /* an entry is missing */
 };
 
 /* What a board says once it is open. */
 struct info_board {
-	const char *device;		/* the name it was opened by */
+	const char *device; /* the name it was opened by */
 	struct accel_device_info info;
-	bool counts;			/* there are clocks */
+	bool counts; /* there are clocks */
 	struct accel_device_clocks clocks;
 };
 

@@ -40,10 +40,12 @@ static void put_clocks(FILE *file, const struct info_board *board)
 		fputs("null", file);
 		return;
 	}
-	fprintf(file, "{\"clocks\": %" PRIu64 ", \"stall_stream\": %" PRIu64
+	fprintf(file,
+		"{\"clocks\": %" PRIu64 ", \"stall_stream\": %" PRIu64
 		", \"stall_raster\": %" PRIu64 ", ",
 		clocks->clocks, clocks->stall_stream, clocks->stall_raster);
-	fprintf(file, "\"stall_tile\": %" PRIu64 ", \"stall_memory\": %" PRIu64
+	fprintf(file,
+		"\"stall_tile\": %" PRIu64 ", \"stall_memory\": %" PRIu64
 		", \"stall_response\": %" PRIu64 "}",
 		clocks->stall_tile, clocks->stall_memory, clocks->stall_response);
 }
@@ -54,7 +56,8 @@ void info_json_board(FILE *file, const struct info_board *board)
 	put_string(file, board->device);
 	fputs(",\n \"name\": ", file);
 	put_string(file, board->info.name);
-	fprintf(file, ",\n \"tile_size\": %" PRIu32 ",\n \"pixels_per_clock\": %" PRIu32
+	fprintf(file,
+		",\n \"tile_size\": %" PRIu32 ",\n \"pixels_per_clock\": %" PRIu32
 		",\n \"memory_bytes\": %" PRIu64 ",\n \"interface_version\": %u,\n \"clocks\": ",
 		board->info.tile_size, board->info.pixels_per_clock, board->info.memory_size,
 		GLOSS_VERSION);

@@ -26,7 +26,7 @@ static const char usage[] =
 	"2 the command line is wrong.\n";
 
 struct options {
-	const char *device;		/* NULL: not given */
+	const char *device; /* NULL: not given */
 	bool list, json;
 };
 
@@ -82,12 +82,9 @@ static void parse_option(struct options *options, int option, char **argv)
 static void parse_arguments(struct options *options, int argc, char **argv)
 {
 	static const struct option table[] = {
-		{ "device", required_argument, NULL, 'd' },
-		{ "list", no_argument, NULL, 'l' },
-		{ "json", no_argument, NULL, 'j' },
-		{ "help", no_argument, NULL, 'h' },
-		{ "version", no_argument, NULL, 'V' },
-		{ NULL, 0, NULL, 0 }
+		{ "device", required_argument, NULL, 'd' }, { "list", no_argument, NULL, 'l' },
+		{ "json", no_argument, NULL, 'j' },         { "help", no_argument, NULL, 'h' },
+		{ "version", no_argument, NULL, 'V' },      { NULL, 0, NULL, 0 }
 	};
 	int option;
 

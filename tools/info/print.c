@@ -22,7 +22,8 @@ static void put_text(FILE *file, const char *text)
 static bool plain(char letter)
 {
 	return letter && strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-				"0123456789:/.,=_+-@", letter);
+				"0123456789:/.,=_+-@",
+				letter);
 }
 
 static size_t plain_length(const char *name)
@@ -95,8 +96,9 @@ static void print_memory(FILE *file, uint64_t size)
 
 static void print_clocks(FILE *file, const struct accel_device_clocks *clocks)
 {
-	fprintf(file, "clocks     %" PRIu64 ", of which waited for stream %" PRIu64
-		", raster %" PRIu64 ", tile %" PRIu64 ", memory %" PRIu64 ", response %" PRIu64 "\n",
+	fprintf(file,
+		"clocks     %" PRIu64 ", of which waited for stream %" PRIu64 ", raster %" PRIu64
+		", tile %" PRIu64 ", memory %" PRIu64 ", response %" PRIu64 "\n",
 		clocks->clocks, clocks->stall_stream, clocks->stall_raster, clocks->stall_tile,
 		clocks->stall_memory, clocks->stall_response);
 }

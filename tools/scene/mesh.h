@@ -12,27 +12,27 @@
 struct mesh {
 	uint32_t vertices, triangles;
 	float (*position)[3], (*normal)[3];
-	float (*colour)[4];		/* NULL: has none */
-	uint32_t (*triangle)[3];	/* indices of vertices */
-	void *map;			/* memory that all arrays lie in; NULL: each is its own */
+	float (*colour)[4];      /* NULL: has none */
+	uint32_t (*triangle)[3]; /* indices of vertices */
+	void *map;               /* memory that all arrays lie in; NULL: each is its own */
 	size_t map_size;
 };
 
 enum mesh_normals {
-	MESH_NORMALS_CREASED,		/* the file's; where it has none, smooth up to a crease */
-	MESH_NORMALS_SMOOTH,		/* smooth everywhere */
-	MESH_NORMALS_FACETS		/* of each triangle its own */
+	MESH_NORMALS_CREASED, /* the file's; where it has none, smooth up to a crease */
+	MESH_NORMALS_SMOOTH,  /* smooth everywhere */
+	MESH_NORMALS_FACETS   /* of each triangle its own */
 };
 
 struct mesh_options {
 	enum mesh_normals normals;
-	float crease;			/* degrees; an edge where faces meet at more is sharp */
+	float crease; /* degrees; an edge where faces meet at more is sharp */
 	/* Called about ten times a second while a file is read; may be NULL. */
 	void (*waiting)(void *data);
 	void *data;
 };
 
-#define MESH_CREASE 30			/* degrees, if there is no better reason */
+#define MESH_CREASE 30 /* degrees, if there is no better reason */
 
 /*
  * Loads @name: a built-in shape (MESH_SHAPES) or a file that assimp reads. Meshes of a file
@@ -51,8 +51,7 @@ int mesh_new(uint32_t vertices, uint32_t triangles, struct mesh *mesh);
  * some without length) or @normals asks for others, vertices joined where all of them is equal,
  * to the bit, and left out where no triangle has them. Triangles stay as they are. -ENOMEM
  */
-int mesh_build(const struct mesh *raw, enum mesh_normals normals, float crease,
-	       struct mesh *mesh);
+int mesh_build(const struct mesh *raw, enum mesh_normals normals, float crease, struct mesh *mesh);
 
 /* Whether some triangle has an area. */
 bool mesh_has_area(const struct mesh *mesh);

@@ -26,23 +26,23 @@
 
 /* A corner at the place that is looked at, with the ends of its triangle's two edges there. */
 struct corner {
-	uint32_t triangle, which;	/* corner 0, 1 or 2 of it */
-	uint32_t group;			/* index of an earlier one of its group, or its own */
-	uint32_t other[2];		/* the place at each edge's other end */
-	uint32_t before[2];		/* an earlier corner with an edge to there, or NONE */
-	struct face face;		/* its triangle's */
-	float sum[3];			/* of a group's first: its normal, not of unit length */
-	uint32_t vertex;		/* and the last that has it, or NONE */
+	uint32_t triangle, which; /* corner 0, 1 or 2 of it */
+	uint32_t group;           /* index of an earlier one of its group, or its own */
+	uint32_t other[2];        /* the place at each edge's other end */
+	uint32_t before[2];       /* an earlier corner with an edge to there, or NONE */
+	struct face face;         /* its triangle's */
+	float sum[3];             /* of a group's first: its normal, not of unit length */
+	uint32_t vertex;          /* and the last that has it, or NONE */
 };
 
 struct build {
 	const struct mesh *raw;
 	enum mesh_normals normals;
-	float (*given)[3];		/* normals of the file, if they are wanted; or NULL */
-	float crease;			/* the cosine */
+	float (*given)[3]; /* normals of the file, if they are wanted; or NULL */
+	float crease;      /* the cosine */
 	struct places places;
-	struct face *face;		/* of triangles; NULL if all normals are given */
-	struct corner *corner;		/* of the place, room for the most there are of one */
+	struct face *face;     /* of triangles; NULL if all normals are given */
+	struct corner *corner; /* of the place, room for the most there are of one */
 	/*
 	 * Of each place, as seen from the one that is looked at: 1 + where in places.corner the
 	 * last corner with an edge to there is. What an earlier place has left is lower than all
@@ -50,7 +50,7 @@ struct build {
 	 */
 	uint32_t *last;
 	struct mesh *mesh;
-	uint32_t room;			/* for vertices in mesh */
+	uint32_t room; /* for vertices in mesh */
 };
 
 static float dot(const float a[3], const float b[3])
@@ -270,8 +270,7 @@ static int add_corner(struct build *build, uint32_t i, uint32_t first, uint32_t 
 		return add_vertex(build, vertex, normal, first, number);
 	group = &build->corner[corner->group];
 	/* What add_vertex would find. */
-	if (group->vertex != NONE && !build->raw->colour &&
-	    build->normals != MESH_NORMALS_FACETS &&
+	if (group->vertex != NONE && !build->raw->colour && build->normals != MESH_NORMALS_FACETS &&
 	    build->mesh->vertices - group->vertex <= COMPARED) {
 		*number = group->vertex;
 		return 0;

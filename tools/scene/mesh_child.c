@@ -25,7 +25,7 @@
 /* The beginning of the memory both processes see; the mesh's arrays follow it. */
 struct report {
 	int error;
-	bool complete;			/* the child came to its end */
+	bool complete; /* the child came to its end */
 	bool coloured;
 	uint32_t vertices, triangles;
 	char message[MESH_MESSAGE];
@@ -33,8 +33,8 @@ struct report {
 
 struct child {
 	pid_t pid;
-	int memory;			/* file descriptor of a struct report and arrays */
-	int alive;			/* a pipe that ends with the child */
+	int memory; /* file descriptor of a struct report and arrays */
+	int alive;  /* a pipe that ends with the child */
 	struct report *report;
 };
 
@@ -49,7 +49,9 @@ struct child_limits child_limits_default(void)
 	uint64_t half = (uint64_t)sysconf(_SC_PHYS_PAGES) / 2 * (uint64_t)sysconf(_SC_PAGESIZE);
 
 	return (struct child_limits){
-		.memory = half < MEMORY_MIN ? MEMORY_MIN : half < MEMORY_MAX ? half : MEMORY_MAX,
+		.memory = half < MEMORY_MIN ? MEMORY_MIN :
+			  half < MEMORY_MAX ? half :
+					      MEMORY_MAX,
 		.seconds = SECONDS_MAX,
 	};
 }
@@ -120,8 +122,7 @@ static int hand_over(const struct child *child, const struct mesh *mesh)
 	if (lseek(fd, sizeof(*report), SEEK_SET) < 0 ||
 	    write_all(fd, mesh->position, sizeof(*mesh->position) * mesh->vertices) ||
 	    write_all(fd, mesh->normal, sizeof(*mesh->normal) * mesh->vertices) ||
-	    (mesh->colour &&
-	     write_all(fd, mesh->colour, sizeof(*mesh->colour) * mesh->vertices)))
+	    (mesh->colour && write_all(fd, mesh->colour, sizeof(*mesh->colour) * mesh->vertices)))
 		return -ENOMEM;
 	return write_all(fd, mesh->triangle, sizeof(*mesh->triangle) * mesh->triangles);
 }
@@ -178,17 +179,23 @@ static int crashed(const char *path, int status, const struct child_limits *limi
 	int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 
 	if (number == SIGXCPU) {
-		snprintf(message, MESH_MESSAGE, "mesh takes too long: %s: reading it is given up "
-			 "after %u seconds; repair or convert the file", path, limits->seconds);
+		snprintf(message, MESH_MESSAGE,
+			 "mesh takes too long: %s: reading it is given up "
+			 "after %u seconds; repair or convert the file",
+			 path, limits->seconds);
 		return -ETIME;
 	}
 	if (number == SIGKILL) {
-		snprintf(message, MESH_MESSAGE, "can not read mesh: %s: its reader was killed, for "
-			 "want of memory it may be; give a smaller mesh", path);
+		snprintf(message, MESH_MESSAGE,
+			 "can not read mesh: %s: its reader was killed, for "
+			 "want of memory it may be; give a smaller mesh",
+			 path);
 		return -ENOMEM;
 	}
-	snprintf(message, MESH_MESSAGE, "can not read mesh: %s: assimp crashed on it (%s); "
-		 "repair or convert the file", path, number ? strsignal(number) : "it left");
+	snprintf(message, MESH_MESSAGE,
+		 "can not read mesh: %s: assimp crashed on it (%s); "
+		 "repair or convert the file",
+		 path, number ? strsignal(number) : "it left");
 	return -EPROTO;
 }
 
@@ -247,8 +254,7 @@ static int take(const struct child *child, const struct report *report, const ch
 }
 
 static int collect(struct child *child, int status, const char *path,
-		   const struct child_limits *limits, struct mesh *mesh,
-		   char message[MESH_MESSAGE])
+		   const struct child_limits *limits, struct mesh *mesh, char message[MESH_MESSAGE])
 {
 	const struct report report = *child->report;
 

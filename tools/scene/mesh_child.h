@@ -11,8 +11,8 @@
 #include "scene/mesh.h"
 
 struct child_limits {
-	uint64_t memory;		/* bytes of address space */
-	unsigned int seconds;		/* of processor time */
+	uint64_t memory;      /* bytes of address space */
+	unsigned int seconds; /* of processor time */
 };
 
 /* What a mesh file may take: half of the machine's memory, but 1 to 16 GiB; ten minutes. */

@@ -13,10 +13,10 @@
 #define QUICK_ERROR 1e-10
 
 struct block {
-	double position[3][3][BLOCK];	/* of corner, axis */
+	double position[3][3][BLOCK]; /* of corner, axis */
 	double cross[3][BLOCK];
-	double sine[BLOCK], cosine[BLOCK];	/* of an angle, times the lengths of its sides */
-	float low[BLOCK], high[BLOCK];	/* the angle is between them */
+	double sine[BLOCK], cosine[BLOCK]; /* of an angle, times the lengths of its sides */
+	float low[BLOCK], high[BLOCK];     /* the angle is between them */
 };
 
 static void gather(const struct mesh *mesh, uint32_t first, uint32_t count, struct block *block)
@@ -33,9 +33,9 @@ static void gather(const struct mesh *mesh, uint32_t first, uint32_t count, stru
 /* Sets cross, sine and cosine. */
 static void look_at_corner(struct block *block, int corner)
 {
-	double (*at)[BLOCK] = block->position[corner];
-	double (*p)[BLOCK] = block->position[(corner + 1) % 3];
-	double (*q)[BLOCK] = block->position[(corner + 2) % 3];
+	double(*at)[BLOCK] = block->position[corner];
+	double(*p)[BLOCK] = block->position[(corner + 1) % 3];
+	double(*q)[BLOCK] = block->position[(corner + 2) % 3];
 
 	for (int i = 0; i < BLOCK; i++) {
 		double u[3], v[3], n[3];
@@ -58,10 +58,10 @@ static void look_at_corner(struct block *block, int corner)
 static double arc(double square)
 {
 	static const double term[] = {
-		-0x1.5bcf6e5741041p-11, 0x1.3625e8d6eefb9p-8, -0x1.0354cc23b8650p-6,
-		0x1.151ab904c9279p-5, -0x1.ba035c4e8d652p-5, 0x1.2811fdeff7003p-4,
-		-0x1.6f95036b2d2f5p-4, 0x1.c6533dfc9a77bp-4, -0x1.2488519fa5a60p-3,
-		0x1.999914dc909cfp-3, -0x1.555553f671b9ap-2, 0x1.ffffffff64898p-1,
+		-0x1.5bcf6e5741041p-11, 0x1.3625e8d6eefb9p-8,  -0x1.0354cc23b8650p-6,
+		0x1.151ab904c9279p-5,   -0x1.ba035c4e8d652p-5, 0x1.2811fdeff7003p-4,
+		-0x1.6f95036b2d2f5p-4,  0x1.c6533dfc9a77bp-4,  -0x1.2488519fa5a60p-3,
+		0x1.999914dc909cfp-3,   -0x1.555553f671b9ap-2, 0x1.ffffffff64898p-1,
 	};
 	double sum = term[0];
 

@@ -6,8 +6,8 @@
 #include "scene/mesh.h"
 
 struct face {
-	float normal[3];		/* of unit length; zero without area */
-	float angle[3];			/* of corners, radians */
+	float normal[3]; /* of unit length; zero without area */
+	float angle[3];  /* of corners, radians */
 };
 
 /* Fills @face, one for each triangle. */

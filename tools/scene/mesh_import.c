@@ -14,16 +14,16 @@
 #include "scene/mesh_part.h"
 
 #define FORMATS "give an OBJ, PLY, 3DS, glTF or STL file"
-#define REASON 200			/* as much of assimp's as fits a message */
+#define REASON 200 /* as much of assimp's as fits a message */
 
 /* A scene on its way into arrays. */
 struct import {
 	const struct aiScene *scene;
-	bool normals, linear;		/* of struct part */
+	bool normals, linear; /* of struct part */
 	struct part_total total;
 	struct mesh *raw;
 	struct weld weld;
-	uint32_t *number;		/* in raw, of the vertices of a part */
+	uint32_t *number; /* in raw, of the vertices of a part */
 };
 
 /* Once to count and once to append. */
@@ -54,7 +54,9 @@ static int visit_nodes(struct import *import, const struct aiNode *node,
 	aiMultiplyMatrix4(&place, &node->mTransformation);
 	for (unsigned int i = 0; i < node->mNumMeshes && !ret; i++) {
 		struct part part = {
-			.place = place, .normals = import->normals, .linear = import->linear,
+			.place = place,
+			.normals = import->normals,
+			.linear = import->linear,
 		};
 
 		if (node->mMeshes[i] >= scene->mNumMeshes)
@@ -171,8 +173,8 @@ static int out_of_memory(const char *path, char message[MESH_MESSAGE])
 static bool wants_memory(const char *reason)
 {
 	static const char *const names[] = {
-		"bad_alloc", "bad allocation", "bad_array_new_length", "max_size()", "vector::",
-		"basic_string::", "ut of memory",
+		"bad_alloc", "bad allocation", "bad_array_new_length", "max_size()",
+		"vector::",  "basic_string::", "ut of memory",
 	};
 
 	for (size_t i = 0; i < sizeof(names) / sizeof(*names); i++)

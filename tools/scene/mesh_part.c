@@ -93,7 +93,7 @@ static bool has_colours(const struct part *part)
 /* 0 to 1 as a picture has it: sRGB's curve if @value is linear. */
 static float channel(const struct part *part, float value)
 {
-	float shown = value > 0 ? value < 1 ? value : 1 : 0;	/* NaN to 0 */
+	float shown = value > 0 ? value < 1 ? value : 1 : 0; /* NaN to 0 */
 
 	if (!part->linear)
 		return shown;
@@ -141,7 +141,9 @@ void part_count(const struct part *part, struct part_total *total)
 static double normal_matrix(const struct aiMatrix4x4 *m, double n[3][3])
 {
 	const double a[3][3] = {
-		{ m->a1, m->a2, m->a3 }, { m->b1, m->b2, m->b3 }, { m->c1, m->c2, m->c3 },
+		{ m->a1, m->a2, m->a3 },
+		{ m->b1, m->b2, m->b3 },
+		{ m->c1, m->c2, m->c3 },
 	};
 	double determinant = 0;
 
@@ -204,7 +206,7 @@ static int append_triangles(const struct aiMesh *mesh, bool mirrored, const uint
 struct common {
 	const struct part *part;
 	double normal[3][3];
-	bool normals;			/* those of the file */
+	bool normals; /* those of the file */
 	struct aiColor4D colour;
 };
 

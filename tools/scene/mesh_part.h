@@ -11,17 +11,17 @@
 /* Of all parts together. */
 struct part_total {
 	uint64_t vertices, triangles;
-	uint32_t most;			/* vertices of one part */
-	bool normals, colours;		/* some part has them */
-	bool finite;			/* all coordinates are numbers */
+	uint32_t most;         /* vertices of one part */
+	bool normals, colours; /* some part has them */
+	bool finite;           /* all coordinates are numbers */
 };
 
 struct part {
 	const struct aiMesh *mesh;
-	const struct aiMaterial *material;	/* NULL: none that the file has made */
+	const struct aiMaterial *material; /* NULL: none that the file has made */
 	struct aiMatrix4x4 place;
-	bool normals;			/* the mesh's are wanted, if they are good */
-	bool linear;			/* colours are light, not what a picture has, as in glTF */
+	bool normals; /* the mesh's are wanted, if they are good */
+	bool linear;  /* colours are light, not what a picture has, as in glTF */
 };
 
 void part_count(const struct part *part, struct part_total *total);

@@ -14,7 +14,7 @@ static uint32_t hash(const float position[3])
 	uint64_t sum = 0;
 
 	for (int i = 0; i < 3; i++) {
-		float value = position[i] + 0.0f;	/* -0 to 0 */
+		float value = position[i] + 0.0f; /* -0 to 0 */
 		uint32_t bits;
 
 		memcpy(&bits, &value, sizeof(bits));

@@ -11,10 +11,10 @@
  * small that a mesh could not have its own vertices in it.
  */
 struct places {
-	uint32_t *place;		/* of each vertex */
-	uint32_t *first;		/* of place p: corner[first[p]] to, without, first[p + 1] */
+	uint32_t *place; /* of each vertex */
+	uint32_t *first; /* of place p: corner[first[p]] to, without, first[p + 1] */
 	uint32_t *corner;
-	uint32_t most;			/* corners of one place, at least 1 */
+	uint32_t most; /* corners of one place, at least 1 */
 };
 
 /* -ENOMEM */

@@ -30,7 +30,7 @@ static void set_triangle(struct mesh *mesh, uint32_t number, uint32_t a, uint32_
 
 /* Middles of edges found so far, in a list for each edge's lower vertex. */
 struct middle {
-	uint32_t high, vertex, next;	/* next: index + 1, 0 ends the list */
+	uint32_t high, vertex, next; /* next: index + 1, 0 ends the list */
 };
 
 struct middles {
@@ -42,10 +42,10 @@ struct middles {
 static void icosahedron(struct mesh *mesh)
 {
 	static const uint8_t face[20][3] = {
-		{ 0, 1, 8 }, { 0, 10, 1 }, { 0, 4, 5 }, { 0, 8, 4 }, { 0, 5, 10 },
-		{ 1, 7, 6 }, { 1, 6, 8 }, { 1, 10, 7 }, { 2, 9, 3 }, { 2, 3, 11 },
-		{ 2, 5, 4 }, { 2, 4, 9 }, { 2, 11, 5 }, { 3, 6, 7 }, { 3, 9, 6 },
-		{ 3, 7, 11 }, { 4, 8, 9 }, { 5, 11, 10 }, { 6, 9, 8 }, { 7, 10, 11 },
+		{ 0, 1, 8 },  { 0, 10, 1 }, { 0, 4, 5 },   { 0, 8, 4 }, { 0, 5, 10 },
+		{ 1, 7, 6 },  { 1, 6, 8 },  { 1, 10, 7 },  { 2, 9, 3 }, { 2, 3, 11 },
+		{ 2, 5, 4 },  { 2, 4, 9 },  { 2, 11, 5 },  { 3, 6, 7 }, { 3, 9, 6 },
+		{ 3, 7, 11 }, { 4, 8, 9 },  { 5, 11, 10 }, { 6, 9, 8 }, { 7, 10, 11 },
 	};
 	double golden = (1 + sqrt(5)) / 2, scale = 1 / sqrt(1 + golden * golden);
 
@@ -235,7 +235,7 @@ static int cube(int width, struct mesh *mesh)
 
 static const struct shape {
 	const char *name;
-	int number;			/* without one in the name; -1: takes none */
+	int number; /* without one in the name; -1: takes none */
 	int (*make)(int number, struct mesh *mesh);
 } shapes[] = {
 	{ "sphere", 3, mesh_sphere },

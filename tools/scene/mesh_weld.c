@@ -102,8 +102,7 @@ int weld_begin(struct weld *weld, struct mesh *mesh, uint64_t vertices)
 	return set_slots(weld, slots);
 }
 
-int weld_add(struct weld *weld, const struct weld_vertex *vertex, uint32_t count,
-	     uint32_t *number)
+int weld_add(struct weld *weld, const struct weld_vertex *vertex, uint32_t count, uint32_t *number)
 {
 	uint32_t hashes[WELD_BLOCK];
 

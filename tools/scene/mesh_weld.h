@@ -16,20 +16,19 @@ struct weld_vertex {
 };
 
 struct weld_slot {
-	uint32_t hash, number;		/* of a vertex; UINT32_MAX: none */
+	uint32_t hash, number; /* of a vertex; UINT32_MAX: none */
 };
 
 struct weld {
-	struct mesh *mesh;		/* its arrays have room for all that may come */
+	struct mesh *mesh; /* its arrays have room for all that may come */
 	struct weld_slot *slot;
-	size_t slots;			/* a power of two */
+	size_t slots; /* a power of two */
 };
 
 /* For about @vertices that come. -ENOMEM */
 int weld_begin(struct weld *weld, struct mesh *mesh, uint64_t vertices);
 /* Appends what is new of @count vertices, and sets the @number of each. -ENOMEM */
-int weld_add(struct weld *weld, const struct weld_vertex *vertex, uint32_t count,
-	     uint32_t *number);
+int weld_add(struct weld *weld, const struct weld_vertex *vertex, uint32_t count, uint32_t *number);
 void weld_end(struct weld *weld);
 
 #endif

@@ -11,8 +11,8 @@
 
 struct output {
 	FILE *file;
-	char *path;			/* where it is to be */
-	char *temporary;		/* NULL: written directly */
+	char *path;      /* where it is to be */
+	char *temporary; /* NULL: written directly */
 };
 
 /* -errno */

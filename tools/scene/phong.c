@@ -98,8 +98,8 @@ static bool between_planes(const struct phong_vertex *v)
 static struct phong_vertex *transform(const struct scene *scene, const struct phong_frame *frame)
 {
 	const struct accel_mesh *mesh = &scene->mesh;
-	const float (*position)[3] = mesh->position.data, (*normal)[3] = mesh->normal.data;
-	const float (*colour)[4] = mesh->colour.data;
+	const float(*position)[3] = mesh->position.data, (*normal)[3] = mesh->normal.data;
+	const float(*colour)[4] = mesh->colour.data;
 	struct phong_vertex *vertex = calloc(mesh->vertices, sizeof(*vertex));
 	float normal_matrix[9];
 	double m[16];

@@ -16,9 +16,9 @@
 
 struct phong_frame {
 	int width, height;
-	uint32_t *pixel;		/* red, green, blue, alpha bytes, as in a target */
-	float *depth;			/* window z; 1 where nothing was drawn */
-	float (*light)[3];		/* before clamping; NULL: not wanted */
+	uint32_t *pixel;   /* red, green, blue, alpha bytes, as in a target */
+	float *depth;      /* window z; 1 where nothing was drawn */
+	float (*light)[3]; /* before clamping; NULL: not wanted */
 };
 
 /* A frame of the size of @scene; with @light if it is wanted. -ENOMEM */

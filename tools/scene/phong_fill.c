@@ -5,7 +5,7 @@
 
 #include "scene/phong_priv.h"
 
-#define SNAP 16				/* steps a pixel */
+#define SNAP 16 /* steps a pixel */
 /* Keeps products of two coordinates in 64 bits. */
 #define WINDOW_MAX (1 << 24)
 
@@ -13,8 +13,8 @@
 struct triangle {
 	const struct phong_vertex *vertex[3];
 	float inverse_area;
-	int side;			/* 0 front, 1 back: of base, lamps and alpha */
-	float flip;			/* factor of the normal */
+	int side;   /* 0 front, 1 back: of base, lamps and alpha */
+	float flip; /* factor of the normal */
 };
 
 /* A point of the surface. */
@@ -24,8 +24,8 @@ struct phong_point {
 
 /* An edge function, positive to the right of the edge. */
 struct edge {
-	int64_t value, dx, dy;		/* at a pixel centre, less @bias; from pixel to pixel */
-	int64_t bias;			/* 1 if pixels on it are outside: not a top or left edge */
+	int64_t value, dx, dy; /* at a pixel centre, less @bias; from pixel to pixel */
+	int64_t bias;          /* 1 if pixels on it are outside: not a top or left edge */
 };
 
 static float dot(const float a[3], const float b[3])
@@ -91,8 +91,7 @@ static struct phong_lamp prepare_lamp(const struct scene *scene, const struct ac
 	return lamp;
 }
 
-void phong_fill_init(struct phong_fill *fill, const struct scene *scene,
-		     struct phong_frame *frame)
+void phong_fill_init(struct phong_fill *fill, const struct scene *scene, struct phong_frame *frame)
 {
 	fill->scene = scene;
 	fill->frame = frame;
@@ -129,7 +128,7 @@ static float reach(const struct phong_lamp *lamp, const float eye[3], float to[3
 	if (lamp->spot) {
 		cosine = -dot(to, lamp->spot_direction);
 		factor = cosine < lamp->spot_cosine ? 0 :
-			 factor * powf(cosine, lamp->spot_exponent);
+						      factor * powf(cosine, lamp->spot_exponent);
 	}
 	return factor;
 }
@@ -154,8 +153,8 @@ static void add_lamp(const struct phong_fill *fill, const struct phong_lamp *lam
 	if (!same_half)
 		normalise(half);
 	highlight = dot(normal, same_half ? lamp->half : half);
-	highlight = factor * powf(highlight > 0 ? highlight : 0,
-				  fill->scene->material[side].shininess);
+	highlight = factor *
+		    powf(highlight > 0 ? highlight : 0, fill->scene->material[side].shininess);
 	cosine *= factor;
 	for (int i = 0; i < 3; i++)
 		light[i] += cosine * lamp->diffuse[side][i] * paint[i] +
@@ -203,12 +202,12 @@ static void draw_pixel(const struct phong_fill *fill, const struct triangle *t, 
 	w2 *= w;
 	for (int i = 0; i < 3; i++) {
 		point.eye[i] = v0->eye[i] + w1 * (v1->eye[i] - v0->eye[i]) +
-			 w2 * (v2->eye[i] - v0->eye[i]);
+			       w2 * (v2->eye[i] - v0->eye[i]);
 		point.normal[i] = t->flip * (v0->normal[i] + w1 * (v1->normal[i] - v0->normal[i]) +
 					     w2 * (v2->normal[i] - v0->normal[i]));
 		point.paint[i] = !painted ? 1 :
-				 v0->paint[i] + w1 * (v1->paint[i] - v0->paint[i]) +
-				 w2 * (v2->paint[i] - v0->paint[i]);
+					    v0->paint[i] + w1 * (v1->paint[i] - v0->paint[i]) +
+						    w2 * (v2->paint[i] - v0->paint[i]);
 	}
 	shade(fill, t->side, &point, light);
 	fill->frame->pixel[pixel] = pack(light, fill->alpha[t->side]);
@@ -308,7 +307,7 @@ void phong_fill_triangle(const struct phong_fill *fill, const struct phong_verte
 {
 	struct triangle t = { .vertex = { a, b, c }, .flip = 1 };
 	int64_t area = (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x);
-	bool back = area > 0;		/* counter-clockwise is front, and y points down here */
+	bool back = area > 0; /* counter-clockwise is front, and y points down here */
 
 	if (area == 0 || fill->scene->cull == (back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT))
 		return;

@@ -11,8 +11,8 @@
 #define PICTURE_GLYPH_HEIGHT 8
 
 struct picture {
-	int width, height;		/* pixels */
-	uint32_t *pixel;		/* row by row from the top; red, green, blue, alpha bytes */
+	int width, height; /* pixels */
+	uint32_t *pixel;   /* row by row from the top; red, green, blue, alpha bytes */
 };
 
 /* A black, opaque picture. -EINVAL: a size not above 0; -ENOMEM. */

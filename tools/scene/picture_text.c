@@ -6,7 +6,7 @@
 
 struct glyph {
 	char character;
-	uint8_t row[7];			/* bit 4 is the leftmost of five pixels */
+	uint8_t row[7]; /* bit 4 is the leftmost of five pixels */
 };
 
 static const struct glyph glyphs[] = {

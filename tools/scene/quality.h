@@ -7,11 +7,11 @@
 
 /* Sums, so that pictures can be taken together. */
 struct quality {
-	double error, reference;	/* sums of squares over covered pixels, all channels */
-	double worst;			/* greatest difference of a channel, in steps of 8 bits */
+	double error, reference; /* sums of squares over covered pixels, all channels */
+	double worst;            /* greatest difference of a channel, in steps of 8 bits */
 	int worst_x, worst_y;
-	uint64_t pixels;		/* covered by both */
-	uint64_t stray;			/* covered by one of them */
+	uint64_t pixels; /* covered by both */
+	uint64_t stray;  /* covered by one of them */
 };
 
 /*

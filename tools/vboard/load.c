@@ -66,8 +66,10 @@ static int load_find(struct vboard_loaded *loaded, const char *file, const char 
 		if (err != -ENOENT)
 			return err;
 	}
-	accel_transport_say(error, "%s is not installed; it was looked for in $GLOSS_SIM_PATH, "
-			    "sim/ beside the program, and " ACCEL_SIM_DIR, file);
+	accel_transport_say(error,
+			    "%s is not installed; it was looked for in $GLOSS_SIM_PATH, "
+			    "sim/ beside the program, and " ACCEL_SIM_DIR,
+			    file);
 	return -ENOSYS;
 }
 

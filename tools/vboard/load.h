@@ -12,15 +12,15 @@ struct vboard_load_head {
 
 /* The boards of one bus. */
 struct vboard_load_bus {
-	const char *plugin;		/* PLUGIN-t64-k8.so */
-	const char *symbol;		/* that has its ops */
+	const char *plugin; /* PLUGIN-t64-k8.so */
+	const char *symbol; /* that has its ops */
 	uint32_t abi;
-	const void *model_t32, *model_t64;	/* ops of the C model */
+	const void *model_t32, *model_t64; /* ops of the C model */
 };
 
 struct vboard_loaded {
-	const void *ops;		/* of the bus */
-	void *plugin;			/* that they are in; NULL: in this program */
+	const void *ops; /* of the bus */
+	void *plugin;    /* that they are in; NULL: in this program */
 };
 
 /*

@@ -25,9 +25,9 @@ struct vboard_loop_ops {
 struct vboard_loop {
 	const struct vboard_loop_ops *ops;
 	void *data;
-	int socket;			/* to QEMU */
-	int ended;			/* eventfd that is told when the thread has ended */
-	int error;			/* that ended it, or 0 */
+	int socket; /* to QEMU */
+	int ended;  /* eventfd that is told when the thread has ended */
+	int error;  /* that ended it, or 0 */
 	pthread_t thread;
 };
 

@@ -100,14 +100,12 @@ static enum vboard_exit parse_option(struct vboard_options *options, int option,
 enum vboard_exit vboard_options_parse(struct vboard_options *options,
 				      const struct vboard_program *program, int argc, char **argv)
 {
-	static const struct option table[] = {
-		{ "qtest", required_argument, NULL, 'q' },
-		{ "board", required_argument, NULL, 'b' },
-		{ "verbose", no_argument, NULL, 'v' },
-		{ "help", no_argument, NULL, 'h' },
-		{ "version", no_argument, NULL, 'V' },
-		{ NULL, 0, NULL, 0 }
-	};
+	static const struct option table[] = { { "qtest", required_argument, NULL, 'q' },
+					       { "board", required_argument, NULL, 'b' },
+					       { "verbose", no_argument, NULL, 'v' },
+					       { "help", no_argument, NULL, 'h' },
+					       { "version", no_argument, NULL, 'V' },
+					       { NULL, 0, NULL, 0 } };
 	enum vboard_exit ret = VBOARD_OK;
 	int option;
 

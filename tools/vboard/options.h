@@ -11,24 +11,24 @@
 #include "vboard/usb/faults.h"
 
 #define VBOARD_BOARDS 8
-#define VBOARD_OPTIONS 24		/* of a board, at most */
+#define VBOARD_OPTIONS 24 /* of a board, at most */
 
 struct accel_option;
 
 enum vboard_exit { VBOARD_OK, VBOARD_FAILED, VBOARD_USAGE };
 
 struct vboard_options_board {
-	const char *text;		/* as given */
+	const char *text; /* as given */
 	char engine[16];
 	int socket;
 	uint32_t tile, lanes;
 	uint64_t memory;
 	struct {
-		uint32_t slot;		/* VBOARD_NO_SLOT: not given */
+		uint32_t slot; /* VBOARD_NO_SLOT: not given */
 		struct vboard_faults_armed armed;
 	} pci;
 	struct {
-		bool super;		/* speed */
+		bool super; /* speed */
 		char serial[VBOARD_USB_SERIAL_MAX + 1];
 		struct vboard_usb_faults_armed armed;
 	} usb;
@@ -37,7 +37,7 @@ struct vboard_options_board {
 /* What one program takes and another does not. */
 struct vboard_program {
 	const char *usage;
-	bool qtest;			/* it takes --qtest */
+	bool qtest; /* it takes --qtest */
 	/* Reads the options of a board. */
 	enum vboard_exit (*parse)(struct vboard_options_board *board, const char *text);
 };
@@ -46,9 +46,9 @@ extern const struct vboard_program vboard_program_pci, vboard_program_usb;
 
 struct vboard_options {
 	const struct vboard_program *program;
-	const char *qtest;		/* NULL: not given */
+	const char *qtest; /* NULL: not given */
 	bool verbose;
-	bool done;			/* --help and --version are all there was to do */
+	bool done; /* --help and --version are all there was to do */
 	unsigned int boards;
 	struct vboard_options_board board[VBOARD_BOARDS];
 };

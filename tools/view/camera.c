@@ -12,11 +12,11 @@
 
 /* The picture's half over the mesh's, so that it does not touch the border. */
 #define ROOM 1.06f
-#define RADIUS 1.02f			/* of a sphere that holds the mesh in spite of rounding */
+#define RADIUS 1.02f /* of a sphere that holds the mesh in spite of rounding */
 #define PARALLEL_DISTANCE 4
-#define NEAREST 0.1f			/* point of the mesh in front of the eye */
-#define NEAR_PLANE 0.01f		/* of an eye inside */
-#define TURNS 36			/* in which a turntable is looked at */
+#define NEAREST 0.1f     /* point of the mesh in front of the eye */
+#define NEAR_PLANE 0.01f /* of an eye inside */
+#define TURNS 36         /* in which a turntable is looked at */
 
 /* The mesh on the stage. */
 static void place_mesh(const struct view *view, float turn, float m[16])
@@ -41,7 +41,7 @@ static void place_mesh(const struct view *view, float turn, float m[16])
  */
 struct reach {
 	float side[4];
-	float nearest;			/* greatest z */
+	float nearest; /* greatest z */
 };
 
 static void extend(struct reach *reach, const struct view *view, float turn, const float open[2])

@@ -8,7 +8,7 @@
 #define WHITE 0xffffffffu
 
 struct sheet {
-	struct picture picture;		/* all panels, side by side */
+	struct picture picture; /* all panels, side by side */
 	struct phong_frame reference;
 };
 
@@ -69,8 +69,7 @@ int view_compare(struct view *view, const char *path)
 	struct picture panel = { 0 };
 	int ret;
 
-	if (picture_new(width, height, &panel) ||
-	    picture_new(width * 3, height, &sheet.picture) ||
+	if (picture_new(width, height, &panel) || picture_new(width * 3, height, &sheet.picture) ||
 	    phong_frame_new(&view->scene, true, &sheet.reference))
 		ret = out_of_memory();
 	else

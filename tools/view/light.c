@@ -46,7 +46,7 @@ enum kind { DIRECTION = 1, POINT = 2, SPOT = 4 };
 
 static const struct setting {
 	const char *name;
-	unsigned int kinds;		/* that have it */
+	unsigned int kinds; /* that have it */
 	bool (*set)(struct accel_light *light, const char *value);
 } settings[] = {
 	{ "colour=", DIRECTION | POINT | SPOT, set_colour },

@@ -14,7 +14,7 @@ static const struct named_material {
 	{ name, ACCEL_MATERIAL(.emission = { 0, 0, 0, 1 }, .ambient = { ar, ag, ab, 1 }, \
 			       .diffuse = { dr, dg, db, 1 }, .specular = { sr, sg, sb, 1 }, \
 			       .shininess = (n)) }
-/* clang-format on */
+	/* clang-format on */
 	MATERIAL("ivory", 0.16f, 0.15f, 0.13f, 0.72f, 0.67f, 0.58f, 0.45f, 0.45f, 0.45f, 60),
 	MATERIAL("plastic", 0.05f, 0.07f, 0.11f, 0.15f, 0.32f, 0.60f, 0.60f, 0.60f, 0.60f, 40),
 	MATERIAL("red-plastic", 0.08f, 0.02f, 0.02f, 0.62f, 0.07f, 0.06f, 0.65f, 0.60f, 0.60f, 32),

@@ -126,7 +126,7 @@ static bool set_up(struct view_options *options, const char *value)
 		const char *axis;
 		float upright[2];
 	} axes[] = {
-		{ "x", { 0, 90 } }, { "y", { 0, 0 } }, { "z", { -90, 0 } },
+		{ "x", { 0, 90 } },   { "y", { 0, 0 } },    { "z", { -90, 0 } },
 		{ "-x", { 0, -90 } }, { "-y", { 0, 180 } }, { "-z", { 90, 0 } },
 	};
 
@@ -220,14 +220,15 @@ static bool show_help(struct view_options *options, const char *value);
 
 static const struct view_option {
 	const char *name;
-	const char *argument;		/* NULL: takes none */
+	const char *argument; /* NULL: takes none */
 	const char *help;
-	const char *hint;		/* what a value has to be */
+	const char *hint; /* what a value has to be */
 	bool (*set)(struct view_options *options, const char *value);
 } list[] = {
 	{ "device", "NAME",
 	  "board to draw on: drm:, usb:, model:, sim:, or auto (the default), the first of" NEXT
-	  "them that opens; gloss-info --list names the boards there are", "", set_device },
+	  "them that opens; gloss-info --list names the boards there are",
+	  "", set_device },
 	{ "size", "WxH", "pixels of the picture, each side up to 16384; 640x480 if not given",
 	  "give WIDTHxHEIGHT, each 1 to 16384", set_size },
 	{ "shading", "NAME", "gouraud, adaptive (the default), quadratic, flat",
@@ -244,7 +245,8 @@ static const struct view_option {
 	{ "two-sided", NULL, "draw back faces too, lit from behind", "", set_two_sided },
 	{ "crease", "DEGREES",
 	  "where a file has no normals, edges at which faces meet at more are sharp;" NEXT
-	  "30 if not given", "give degrees from 0 to 180", set_crease },
+	  "30 if not given",
+	  "give degrees from 0 to 180", set_crease },
 	{ "smooth", NULL, "no sharp edges, also where the file has its own normals", "",
 	  set_smooth },
 	{ "facets", NULL, "all edges sharp, also where the file has its own normals", "",
@@ -266,15 +268,16 @@ static const struct view_option {
 	{ "turntable", "N", "write N numbered pictures of one turn, FILE-0000.png and so on",
 	  "give a number of frames from 1 to 9999", set_turntable },
 	{ "compare", "FILE",
-	  "write Gouraud, the chosen shading and per-pixel Phong side by side, and print"
-	  NEXT "how far the first two are from the last",
+	  "write Gouraud, the chosen shading and per-pixel Phong side by side, and print" NEXT
+	  "how far the first two are from the last",
 	  "give a name that ends in .png or .ppm", set_compare },
 	{ "stats", NULL, "print what was drawn, and clocks where the board counts them", "",
 	  set_stats },
 	{ "window", NULL,
 	  "show the mesh; drag to turn, with the right button to move, wheel to zoom," NEXT
 	  "arrows to fly and look, g a q f to shade, t both sides, s to save a picture," NEXT
-	  "r as at the beginning, Esc to leave", "", set_window },
+	  "r as at the beginning, Esc to leave",
+	  "", set_window },
 	{ "help", NULL, "print this and leave; -h too, and -o for --out", "", show_help },
 	{ "version", NULL, "print the version and leave", "", show_version },
 };
@@ -291,8 +294,8 @@ static bool show_help(struct view_options *options, const char *value)
 	for (int i = 0; i < OPTIONS; i++) {
 		char name[40];
 
-		snprintf(name, sizeof(name), "--%s%s%s", list[i].name,
-			 list[i].argument ? " " : "", list[i].argument ? list[i].argument : "");
+		snprintf(name, sizeof(name), "--%s%s%s", list[i].name, list[i].argument ? " " : "",
+			 list[i].argument ? list[i].argument : "");
 		printf("  %-20s %s\n", name, list[i].help);
 	}
 	printf("\nA COLOUR is #rrggbb, R,G,B or one number for grey, 0 to 1.\n"
@@ -400,7 +403,8 @@ static int check_stdout(const struct view_options *options)
 		return bad_usage("not together", "--out - and --turntable, --stats or --compare",
 				 "give --out the name of a file");
 	if (isatty(STDOUT_FILENO))
-		return bad_usage("bad value", "--out -", "standard output is a terminal, "
+		return bad_usage("bad value", "--out -",
+				 "standard output is a terminal, "
 				 "give the name of a file or a pipe");
 	return VIEW_OK;
 }

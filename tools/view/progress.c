@@ -7,8 +7,8 @@
 #include "view/view.h"
 
 #define BAR 30
-#define INTERVAL 0.1			/* seconds between lines */
-#define PATIENCE 1			/* seconds of waiting that need no word */
+#define INTERVAL 0.1 /* seconds between lines */
+#define PATIENCE 1   /* seconds of waiting that need no word */
 
 static double now(void)
 {

@@ -12,53 +12,53 @@
 #include "scene/picture.h"
 #include "scene/scene.h"
 
-enum { VIEW_OK, VIEW_FAILED, VIEW_USAGE };	/* exit status */
+enum { VIEW_OK, VIEW_FAILED, VIEW_USAGE }; /* exit status */
 
-#define VIEW_SIZE_MAX 16384		/* pixels of a picture's side */
+#define VIEW_SIZE_MAX 16384 /* pixels of a picture's side */
 
 struct view_options {
 	const char *mesh, *device;
 	int width, height;
 	enum accel_shading shading;
 	struct accel_material material;
-	bool recoloured;		/* the mesh's own colours are not wanted */
-	struct accel_light light[ACCEL_LIGHTS];	/* positions from the middle of the mesh */
+	bool recoloured;                        /* the mesh's own colours are not wanted */
+	struct accel_light light[ACCEL_LIGHTS]; /* positions from the middle of the mesh */
 	int lights;
 	struct mesh_options reading;
 	bool two_sided;
-	float upright[2];		/* degrees about x and z that turn the mesh's up to y */
-	float rotate[3];		/* degrees about x, y and z */
-	float camera[2];		/* degrees to the right and up */
-	float zoom, fov;		/* fov 0: no perspective */
+	float upright[2]; /* degrees about x and z that turn the mesh's up to y */
+	float rotate[3];  /* degrees about x, y and z */
+	float camera[2];  /* degrees to the right and up */
+	float zoom, fov;  /* fov 0: no perspective */
 	float background[4];
 	const char *out, *compare;
-	int turntable;			/* frames, 0: one picture */
+	int turntable; /* frames, 0: one picture */
 	bool stats, window;
-	bool done;			/* --help or --version was answered */
+	bool done; /* --help or --version was answered */
 };
 
 /* What hands on the window have changed, and a file can not be asked for. */
 struct view_hand {
-	float move[3];			/* of the eye, radii to the right, up and back */
-	float look;			/* degrees to the right */
+	float move[3]; /* of the eye, radii to the right, up and back */
+	float look;    /* degrees to the right */
 };
 
 struct view {
 	const struct view_options *options;
 	struct mesh mesh;
-	float centre[3], radius;	/* of the sphere that holds the mesh */
-	float eye[3];			/* radii from the middle: right, up, towards the eye */
-	float half_height;		/* of the picture without perspective, radii */
+	float centre[3], radius; /* of the sphere that holds the mesh */
+	float eye[3];            /* radii from the middle: right, up, towards the eye */
+	float half_height;       /* of the picture without perspective, radii */
 	struct view_hand hand;
 	struct scene scene;
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_draw *draw;
-	struct picture part;		/* of a picture that is larger than a target */
-	uint32_t *depth;		/* of the last frame's pixels; NULL: not wanted */
-	uint64_t visible;		/* pixels of the mesh, by the depth */
-	struct accel_draw_stats stats;	/* of the last frame */
-	uint64_t clocks;		/* of the last frame, 0: not known */
+	struct picture part;           /* of a picture that is larger than a target */
+	uint32_t *depth;               /* of the last frame's pixels; NULL: not wanted */
+	uint64_t visible;              /* pixels of the mesh, by the depth */
+	struct accel_draw_stats stats; /* of the last frame */
+	uint64_t clocks;               /* of the last frame, 0: not known */
 };
 
 /* options.c: VIEW_OK or VIEW_USAGE, after a message. */
@@ -111,7 +111,7 @@ int view_window(struct view *view);
 /* progress.c: a line on stderr, if that is a terminal. */
 struct waiting {
 	const char *what;
-	double start;			/* seconds */
+	double start; /* seconds */
 	bool shown;
 };
 
@@ -124,7 +124,7 @@ void waiting_end(struct waiting *waiting);
 struct progress {
 	bool shown;
 	int total;
-	double start, last;		/* seconds */
+	double start, last; /* seconds */
 };
 
 void progress_begin(struct progress *progress, int total);

@@ -10,9 +10,9 @@
 
 #define DEGREES_A_PIXEL 0.4f
 #define ZOOM_A_STEP 1.1f
-#define RADII_A_STEP 0.05f		/* of flying */
-#define DEGREES_A_STEP 3.0f		/* of looking around */
-#define WAIT_MS 100			/* for events, so that signals are seen too */
+#define RADII_A_STEP 0.05f  /* of flying */
+#define DEGREES_A_STEP 3.0f /* of looking around */
+#define WAIT_MS 100         /* for events, so that signals are seen too */
 #define SCREENSHOTS 10000
 
 struct window {
@@ -21,7 +21,7 @@ struct window {
 	SDL_Texture *texture;
 	struct view *view;
 	struct picture picture;
-	struct view_options options;	/* as the hands on mouse and keys have changed them */
+	struct view_options options; /* as the hands on mouse and keys have changed them */
 	const struct view_options *given;
 	bool stale, resized, leave;
 };
@@ -174,7 +174,7 @@ static void press(struct window *window, SDL_Keycode key)
 {
 	static const struct {
 		SDL_Keycode key;
-		enum accel_shading shading;	/* if there is nothing to call */
+		enum accel_shading shading; /* if there is nothing to call */
 		void (*call)(struct window *window);
 	} keys[] = {
 		{ SDLK_g, ACCEL_SHADING_GOURAUD, NULL },
@@ -215,10 +215,9 @@ static void pan(struct window *window, int right, int down)
 {
 	const struct view *view = window->view;
 	float *move = window->view->hand.move;
-	float half = window->options.fov ?
-		     tanf(window->options.fov * (3.14159265f / 360)) *
-			     fmaxf(view->eye[2] + move[2], RADII_A_STEP) :
-		     view->half_height;
+	float half = window->options.fov ? tanf(window->options.fov * (3.14159265f / 360)) *
+						   fmaxf(view->eye[2] + move[2], RADII_A_STEP) :
+					   view->half_height;
 	float radii = 2 * half / ((float)window->options.height * window->options.zoom);
 
 	move[0] -= (float)right * radii;
@@ -344,7 +343,10 @@ int view_window(struct view *view)
 {
 	const struct view_options *options = view->options;
 	struct window window = {
-		.options = *options, .given = options, .view = view, .stale = true,
+		.options = *options,
+		.given = options,
+		.view = view,
+		.stale = true,
 	};
 	int ret;
 

@@ -8,7 +8,7 @@
 struct accel_drm_buffer {
 	struct accel_pool_buffer pooled;
 	void *map;
-	uint32_t handle;		/* GEM */
+	uint32_t handle; /* GEM */
 };
 
 /* The pool's data is an int, the device. Of @size 0 or more than the kernel makes: -EINVAL; -ENOMEM,

@@ -19,17 +19,18 @@
 #include "transport/thread.h"
 
 _Static_assert((int)GLOSS_RIGHTS_READ == DRM_GLOSS_SLOT_READ &&
-	       (int)GLOSS_RIGHTS_WRITE == DRM_GLOSS_SLOT_WRITE, "rights of a slot");
+		       (int)GLOSS_RIGHTS_WRITE == DRM_GLOSS_SLOT_WRITE,
+	       "rights of a slot");
 
 struct transport_drm {
 	int fd;
 	uint32_t syncobj;
-	uint64_t words_max;		/* of a stream, and of a response */
+	uint64_t words_max; /* of a stream, and of a response */
 	struct accel_transport_info info;
-	struct accel_pool pool;		/* of struct accel_drm_buffer */
-	uint64_t sequence;		/* of the last job; under the device's lock */
-	pthread_mutex_t lock;		/* protects jobs */
-	struct accel_job_table jobs;	/* until they were waited for */
+	struct accel_pool pool;      /* of struct accel_drm_buffer */
+	uint64_t sequence;           /* of the last job; under the device's lock */
+	pthread_mutex_t lock;        /* protects jobs */
+	struct accel_job_table jobs; /* until they were waited for */
 };
 
 /* ---- opening ---- */
@@ -57,7 +58,7 @@ static void drm_name(struct accel_transport_info *info, const char *path)
 static int drm_identify(struct transport_drm *transport, const char *path)
 {
 	const enum drm_gloss_param params[] = {
-		DRM_GLOSS_PARAM_VERSION, DRM_GLOSS_PARAM_TILE_SIZE,
+		DRM_GLOSS_PARAM_VERSION,          DRM_GLOSS_PARAM_TILE_SIZE,
 		DRM_GLOSS_PARAM_PIXELS_PER_CLOCK, DRM_GLOSS_PARAM_MEMORY_SIZE,
 		DRM_GLOSS_PARAM_STREAM_WORDS_MAX,
 	};
@@ -81,8 +82,7 @@ static int drm_identify(struct transport_drm *transport, const char *path)
 	return 0;
 }
 
-static int transport_drm_open(const char *where, void **state,
-			      struct accel_transport_error *error)
+static int transport_drm_open(const char *where, void **state, struct accel_transport_error *error)
 {
 	struct transport_drm *transport = calloc(1, sizeof(*transport));
 	char path[PATH_MAX];
@@ -107,8 +107,8 @@ static int transport_drm_open(const char *where, void **state,
 	return 0;
 
 err_close:
-	accel_transport_say(error, "%s does not answer as a gloss module of this version: %s",
-			    path, strerror(-err));
+	accel_transport_say(error, "%s does not answer as a gloss module of this version: %s", path,
+			    strerror(-err));
 	close(transport->fd);
 	err = err == -ENOMEM ? -ENOMEM : -ENODEV;
 err_free:

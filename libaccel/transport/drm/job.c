@@ -81,7 +81,6 @@ int accel_drm_job_result(const struct accel_drm_job *job, struct gloss_status *s
 		.response_words = words,
 	};
 	if (words)
-		memcpy(job->response, map + job->response_offset,
-		       (size_t)words * sizeof(uint32_t));
+		memcpy(job->response, map + job->response_offset, (size_t)words * sizeof(uint32_t));
 	return 0;
 }

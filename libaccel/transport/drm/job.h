@@ -12,10 +12,10 @@
 #define DRM_STREAM_OFFSET 4096u
 
 struct accel_drm_job {
-	struct accel_job_entry entry;	/* first, so that an entry is its job */
+	struct accel_job_entry entry; /* first, so that an entry is its job */
 	struct accel_drm_buffer *buffer;
-	uint64_t response_offset;	/* in the buffer */
-	uint32_t *response;		/* the caller's */
+	uint64_t response_offset; /* in the buffer */
+	uint32_t *response;       /* the caller's */
 	uint32_t response_words;
 };
 

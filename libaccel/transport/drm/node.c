@@ -41,13 +41,15 @@ static int node_refuse_access(const char *path, struct accel_transport_error *er
 	}
 	node_group_name(status.st_gid, group, sizeof(group));
 	if ((status.st_mode & both) == both)
-		accel_transport_say(error, "not permitted: %s is for group %s; add yourself with "
-				    "sudo usermod -aG %s $USER and log in again", path, group,
-				    group);
+		accel_transport_say(error,
+				    "not permitted: %s is for group %s; add yourself with "
+				    "sudo usermod -aG %s $USER and log in again",
+				    path, group, group);
 	else
-		accel_transport_say(error, "not permitted: %s is of group %s and mode %04o; group "
-				    "render and mode 0660 are usual", path, group,
-				    status.st_mode & 07777u);
+		accel_transport_say(error,
+				    "not permitted: %s is of group %s and mode %04o; group "
+				    "render and mode 0660 are usual",
+				    path, group, status.st_mode & 07777u);
 	return -EACCES;
 }
 
@@ -58,8 +60,10 @@ static int node_refuse(const char *path, int err, struct accel_transport_error *
 	case -EPERM:
 		return node_refuse_access(path, error);
 	case -ENOENT:
-		accel_transport_say(error, "there is no %s; ls /dev/dri shows the nodes, sudo "
-				    "modprobe " DRIVER " loads the module", path);
+		accel_transport_say(error,
+				    "there is no %s; ls /dev/dri shows the nodes, sudo "
+				    "modprobe " DRIVER " loads the module",
+				    path);
 		return -ENODEV;
 	case -ENOMEM:
 		return -ENOMEM;
@@ -73,10 +77,10 @@ static int node_refuse_all(struct accel_transport_error *error)
 {
 	if (access("/sys/module/" DRIVER, F_OK))
 		accel_transport_say(error, "no Gloss board: the kernel module is not loaded; try "
-				    "sudo modprobe " DRIVER);
+					   "sudo modprobe " DRIVER);
 	else
 		accel_transport_say(error, "no Gloss board: the kernel module is loaded and has "
-				    "found none; lspci shows what is plugged in");
+					   "found none; lspci shows what is plugged in");
 	return -ENODEV;
 }
 
@@ -90,8 +94,10 @@ static int node_check(int fd, const char *path, struct accel_transport_error *er
 	if (!version && errno == ENOMEM)
 		return -ENOMEM;
 	if (!version) {
-		accel_transport_say(error, errno == ENODEV ? "the board of %s is gone" :
-				    "%s is no DRM node", path);
+		accel_transport_say(error,
+				    errno == ENODEV ? "the board of %s is gone" :
+						      "%s is no DRM node",
+				    path);
 		return -ENODEV;
 	}
 	if (strcmp(version->name, DRIVER) != 0) {
@@ -186,7 +192,7 @@ int accel_drm_node_open(const char *where, char *path, size_t size,
 	}
 	if (*where) {
 		accel_transport_say(error, "give the path of a node, as in "
-				    "drm:/dev/dri/renderD128, or none");
+					   "drm:/dev/dri/renderD128, or none");
 		return -EINVAL;
 	}
 	devices = drmGetDevices2(0, device, DEVICES_MAX);

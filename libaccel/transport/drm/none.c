@@ -4,13 +4,12 @@
 
 #include "transport/transport.h"
 
-static int transport_drm_open(const char *where, void **state,
-			      struct accel_transport_error *error)
+static int transport_drm_open(const char *where, void **state, struct accel_transport_error *error)
 {
 	(void)where;
 	(void)state;
 	accel_transport_say(error, "this library was built without libdrm; install libdrm-dev and "
-			    "build it again");
+				   "build it again");
 	return -ENOSYS;
 }
 

@@ -30,7 +30,7 @@ static int clocks_read_clocks(struct accel_usb_node *node, uint64_t *clocks)
 static int clocks_read_stalls(struct accel_usb_node *node, uint32_t stall[5])
 {
 	static const uint16_t offset[] = {
-		GLOSS_REG_STALL_STREAM, GLOSS_REG_STALL_RASTER, GLOSS_REG_STALL_TILE,
+		GLOSS_REG_STALL_STREAM, GLOSS_REG_STALL_RASTER,   GLOSS_REG_STALL_TILE,
 		GLOSS_REG_STALL_MEMORY, GLOSS_REG_STALL_RESPONSE,
 	};
 	int err = 0;

@@ -6,7 +6,8 @@
 #include "transport/usb/job_message.h"
 
 struct accel_usb_job *accel_usb_job_message_begin(struct accel_usb_link *link,
-					  const struct accel_transport_job *from, uint32_t **rest)
+						  const struct accel_transport_job *from,
+						  uint32_t **rest)
 {
 	const struct gloss_usb_job head = {
 		.slots = from->slots,

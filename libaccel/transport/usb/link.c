@@ -171,8 +171,8 @@ void accel_usb_link_wait_for_room(struct accel_usb_link *link)
 static void link_append_locked(struct accel_usb_link *link, struct accel_usb_job *job)
 {
 	accel_job_table_put(&link->jobs, &job->entry, ++link->sequence);
-	job->answer.sequence = job->message->word[GLOSS_USB_JOB_SEQUENCE_WORD] =
-		(uint32_t)link->sequence;
+	job->answer.sequence = job->message->word[GLOSS_USB_JOB_SEQUENCE_WORD] = (uint32_t)link
+											 ->sequence;
 	*link->last = job;
 	link->last = &job->next;
 	if (!link->sending)
@@ -187,8 +187,8 @@ static void link_append_locked(struct accel_usb_link *link, struct accel_usb_job
 		accel_usb_link_wake_locked(link);
 }
 
-int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job,
-			  uint64_t losses, uint64_t *sequence)
+int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job, uint64_t losses,
+			  uint64_t *sequence)
 {
 	int err = 0;
 

@@ -22,17 +22,17 @@ struct accel_usb_buffer {
 };
 
 struct accel_usb_job {
-	struct accel_job_entry entry;	/* first; the board has the lower half of its sequence */
-	struct accel_usb_job *next;	/* that has not ended */
+	struct accel_job_entry entry; /* first; the board has the lower half of its sequence */
+	struct accel_usb_job *next;   /* that has not ended */
 	struct accel_usb_answer answer;
-	bool must;			/* a fault in it is a failure of the board */
-	bool forgotten;			/* it is gone when it has ended */
-	bool answered;			/* to the end */
-	bool ended;			/* and nothing looks at it any more */
-	int error;			/* if it has ended so */
-	size_t bytes;			/* of the message */
-	size_t started, sent;		/* given to transfers, and in those that have ended */
-	struct accel_usb_buffer *message;	/* NULL once it is sent */
+	bool must;                        /* a fault in it is a failure of the board */
+	bool forgotten;                   /* it is gone when it has ended */
+	bool answered;                    /* to the end */
+	bool ended;                       /* and nothing looks at it any more */
+	int error;                        /* if it has ended so */
+	size_t bytes;                     /* of the message */
+	size_t started, sent;             /* given to transfers, and in those that have ended */
+	struct accel_usb_buffer *message; /* NULL once it is sent */
 };
 
 struct accel_usb_link;
@@ -67,8 +67,8 @@ void accel_usb_link_wait_for_room(struct accel_usb_link *link);
  * Sends a job, which is the link's from then on, and stores its number. It does not wait.
  * -EAGAIN: losses are not @losses any more; -ENODEV. Then the job is still the caller's.
  */
-int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job,
-			  uint64_t losses, uint64_t *sequence);
+int accel_usb_link_submit(struct accel_usb_link *link, struct accel_usb_job *job, uint64_t losses,
+			  uint64_t *sequence);
 
 /* As struct accel_transport_ops.wait. */
 int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t timeout_ns,

@@ -21,84 +21,84 @@
 #define USB_FAILURES_MAX 16
 
 enum usb_link_state {
-	USB_LINK_STARTING,		/* the sync is on its way */
+	USB_LINK_STARTING, /* the sync is on its way */
 	USB_LINK_READY,
-	USB_LINK_BROKEN,		/* all that is in flight is to be ended */
+	USB_LINK_BROKEN, /* all that is in flight is to be ended */
 	USB_LINK_GONE
 };
 
 struct usb_transfer {
 	struct accel_usb_link *link;
 	struct libusb_transfer *transfer;
-	struct accel_usb_job *job;	/* of OUT, NULL: the sync */
+	struct accel_usb_job *job; /* of OUT, NULL: the sync */
 	bool in_flight;
 	/* Of IN: */
-	bool queued;			/* submitted, and its words not taken yet */
-	bool ended;			/* and its turn has not come */
-	bool gives_way;			/* it is cancelled, what it has is right */
-	struct usb_transfer *next;	/* submitted after it */
+	bool queued;               /* submitted, and its words not taken yet */
+	bool ended;                /* and its turn has not come */
+	bool gives_way;            /* it is cancelled, what it has is right */
+	struct usb_transfer *next; /* submitted after it */
 };
 
 /* How long nothing has moved. */
 struct usb_watch {
-	int64_t next_ms;		/* when to look */
-	unsigned int still;		/* how often there was nothing to be seen */
-	uint64_t moves;			/* of the link, at the last look */
-	bool known;			/* PROGRESS was read since then */
+	int64_t next_ms;    /* when to look */
+	unsigned int still; /* how often there was nothing to be seen */
+	uint64_t moves;     /* of the link, at the last look */
+	bool known;         /* PROGRESS was read since then */
 	uint32_t progress;
-	uint64_t spent;			/* by how much it has moved since then */
+	uint64_t spent; /* by how much it has moved since then */
 };
 
 /* What the board's counters have summed up to, though they begin again with each reset. */
 struct usb_clocks {
-	pthread_mutex_t lock;		/* and of the node's handle, for who is not the thread */
-	struct accel_device_clocks sum, last;	/* last: as read, since the reset */
-	int64_t next_ms;		/* when they are to be read, before one wraps */
+	pthread_mutex_t lock; /* and of the node's handle, for who is not the thread */
+	struct accel_device_clocks sum, last; /* last: as read, since the reset */
+	int64_t next_ms;                      /* when they are to be read, before one wraps */
 };
 
 struct accel_usb_link {
 	struct accel_usb_node *node;
 	pthread_t thread;
-	pthread_mutex_t lock;		/* protects what follows */
-	pthread_cond_t ended;		/* a job has */
-	pthread_cond_t room;		/* less is queued */
+	pthread_mutex_t lock; /* protects what follows */
+	pthread_cond_t ended; /* a job has */
+	pthread_cond_t room;  /* less is queued */
 	bool stop;
-	bool asleep;			/* the thread may be, for long */
+	bool asleep; /* the thread may be, for long */
 	enum usb_link_state state;
-	int broken_by;			/* what jobs are told when it is broken */
-	bool powerless;			/* gone, because the board had lost its power */
+	int broken_by;  /* what jobs are told when it is broken */
+	bool powerless; /* gone, because the board had lost its power */
 
 	struct usb_transfer out[USB_OUT_TRANSFERS], in[USB_IN_TRANSFERS], event;
 	unsigned int in_flight;
-	struct usb_transfer *in_first, **in_last;	/* in the order of their words */
-	unsigned int in_queued;		/* in there */
-	unsigned int in_count;		/* as many are to be */
-	unsigned int in_bytes, out_bytes;	/* of one, at most */
-	bool starved;			/* no memory for a transfer that is needed */
-	int64_t more_ms;		/* when to try with more */
-	uint32_t *in_words;		/* the buffers of IN */
+	struct usb_transfer *in_first, **in_last; /* in the order of their words */
+	unsigned int in_queued;                   /* in there */
+	unsigned int in_count;                    /* as many are to be */
+	unsigned int in_bytes, out_bytes;         /* of one, at most */
+	bool starved;                             /* no memory for a transfer that is needed */
+	int64_t more_ms;                          /* when to try with more */
+	uint32_t *in_words;                       /* the buffers of IN */
 	uint32_t event_words[GLOSS_USB_EVENT_WORDS];
 	uint32_t sync_words[GLOSS_USB_SYNC_WORDS];
-	struct accel_pool pool;		/* of struct accel_usb_buffer; has its own lock */
+	struct accel_pool pool; /* of struct accel_usb_buffer; has its own lock */
 	bool halted_out, halted_in, halted_event;
-	bool hint;			/* the board says that it is lost */
+	bool hint; /* the board says that it is lost */
 	bool synchronised;
 	struct accel_usb_parser parser;
 
-	uint32_t boot;			/* what the board's BOOT has to be; 0 at first */
+	uint32_t boot; /* what the board's BOOT has to be; 0 at first */
 	struct usb_watch watch;
-	struct usb_clocks clocks;	/* has its own lock */
-	uint64_t sequence;		/* of the last job */
+	struct usb_clocks clocks; /* has its own lock */
+	uint64_t sequence;        /* of the last job */
 	uint64_t losses;
-	unsigned int failures;		/* since a job of the program's was done */
-	uint64_t moves;			/* changes with each job and transfer that is of use */
-	size_t queued;			/* bytes that are not sent */
-	unsigned int waiting;		/* threads, for less to be queued */
-	unsigned int running;		/* jobs that have not ended */
-	struct accel_job_table jobs;		/* until they were waited for */
-	struct accel_usb_job *first, **last;	/* that have not ended, in order */
-	struct accel_usb_job *sending;		/* the first not started as a whole */
-	struct accel_usb_job *answering;	/* the first not answered */
+	unsigned int failures;               /* since a job of the program's was done */
+	uint64_t moves;                      /* changes with each job and transfer that is of use */
+	size_t queued;                       /* bytes that are not sent */
+	unsigned int waiting;                /* threads, for less to be queued */
+	unsigned int running;                /* jobs that have not ended */
+	struct accel_job_table jobs;         /* until they were waited for */
+	struct accel_usb_job *first, **last; /* that have not ended, in order */
+	struct accel_usb_job *sending;       /* the first not started as a whole */
+	struct accel_usb_job *answering;     /* the first not answered */
 };
 
 /*

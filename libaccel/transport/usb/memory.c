@@ -10,10 +10,10 @@
 struct usb_object {
 	struct usb_object *next;
 	uint64_t base;
-	uint32_t size;			/* that a job can reach */
-	uint32_t tiles;			/* that it has, to be cleared */
+	uint32_t size;  /* that a job can reach */
+	uint32_t tiles; /* that it has, to be cleared */
 	bool cleared;
-	uint64_t clearing;		/* the job that does it, 0: none */
+	uint64_t clearing; /* the job that does it, 0: none */
 };
 
 void accel_usb_memory_init(struct accel_usb_memory *memory, struct accel_usb_link *link,
@@ -83,8 +83,8 @@ int accel_usb_memory_slots(struct accel_usb_memory *memory, const struct accel_t
 		struct gloss_slot_entry slot = { .base = 0 };
 
 		if (from->slot[i].rights) {
-			const struct usb_object *object =
-				*memory_find(memory, from->slot[i].object);
+			const struct usb_object *object = *memory_find(memory,
+								       from->slot[i].object);
 
 			if (!object)
 				return -EINVAL;
@@ -101,7 +101,7 @@ int accel_usb_memory_slots(struct accel_usb_memory *memory, const struct accel_t
 
 /* Queues the job that makes the object zero. */
 static int memory_clear_queue(struct accel_usb_memory *memory, struct usb_object *object,
-			   uint64_t losses)
+			      uint64_t losses)
 {
 	uint32_t tile_size = memory->tile_size, *words;
 	const struct gloss_slot_entry slot = {
@@ -155,7 +155,7 @@ int accel_usb_memory_clear(struct accel_usb_memory *memory, const struct accel_t
 
 	for (uint32_t i = 0; i < from->slots && !err; i++)
 		if (from->slot[i].rights)
-			err = memory_clear(memory,
-					*memory_find(memory, from->slot[i].object), losses);
+			err = memory_clear(memory, *memory_find(memory, from->slot[i].object),
+					   losses);
 	return err;
 }

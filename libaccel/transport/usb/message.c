@@ -86,8 +86,8 @@ static bool completion_fits(const struct accel_usb_parser *parser,
 			    const struct gloss_usb_completion *completion,
 			    const struct accel_usb_answer *answer)
 {
-	return completion->checksum == accel_usb_checksum(parser->checksum, parser->word,
-							  COMPLETION_CHECKED) &&
+	return completion->checksum ==
+		       accel_usb_checksum(parser->checksum, parser->word, COMPLETION_CHECKED) &&
 	       completion->cause <= GLOSS_FAULT_MEMORY &&
 	       completion->sequence == answer->sequence &&
 	       completion->response_words == parser->answered &&
@@ -138,8 +138,8 @@ static enum accel_usb_message parser_word(struct accel_usb_parser *parser,
 }
 
 enum accel_usb_message accel_usb_message_take(struct accel_usb_parser *parser,
-					     struct accel_usb_answer *answer,
-					     const uint32_t **words, size_t *count)
+					      struct accel_usb_answer *answer,
+					      const uint32_t **words, size_t *count)
 {
 	enum accel_usb_message message = ACCEL_USB_MORE;
 

@@ -21,7 +21,8 @@ int accel_usb_node_error(int err)
 	if (err >= 0)
 		return 0;
 	return err == LIBUSB_ERROR_NO_DEVICE ? -ENODEV :
-	       err == LIBUSB_ERROR_NO_MEM ? -ENOMEM : -EIO;
+	       err == LIBUSB_ERROR_NO_MEM    ? -ENOMEM :
+					       -EIO;
 }
 
 /* For a board that does not open. */
@@ -49,14 +50,18 @@ static int node_refuse(libusb_device *device, const char *name, int err,
 	switch (err) {
 	case KERNEL_DRIVER:
 		accel_usb_where_path(device, path);
-		accel_transport_say(error, "%s is held by a driver of the kernel; ls -l "
+		accel_transport_say(error,
+				    "%s is held by a driver of the kernel; ls -l "
 				    "/sys/bus/usb/devices/%s:*/driver shows which, and unbind in "
-				    "there takes it away", name, path);
+				    "there takes it away",
+				    name, path);
 		break;
 	case LIBUSB_ERROR_ACCESS:
-		accel_transport_say(error, "not permitted: /dev/bus/usb/%03u/%03u; install "
+		accel_transport_say(error,
+				    "not permitted: /dev/bus/usb/%03u/%03u; install "
 				    "60-gloss.rules, as make install does, and plug the board in "
-				    "again", libusb_get_bus_number(device),
+				    "again",
+				    libusb_get_bus_number(device),
 				    libusb_get_device_address(device));
 		break;
 	case LIBUSB_ERROR_BUSY:
@@ -72,15 +77,20 @@ static int node_refuse(libusb_device *device, const char *name, int err,
 static int node_refuse_all(const struct accel_usb_where *where, struct accel_transport_error *error)
 {
 	if (where->path)
-		accel_transport_say(error, "there is no Gloss board at usb:%s; gloss-info --list "
-				    "shows those that are there", where->path);
+		accel_transport_say(error,
+				    "there is no Gloss board at usb:%s; gloss-info --list "
+				    "shows those that are there",
+				    where->path);
 	else if (where->serial)
-		accel_transport_say(error, "there is no board usb:%04x:%04x/%s; gloss-info --list "
-				    "shows those that are there", where->vendor, where->product,
-				    where->serial);
+		accel_transport_say(error,
+				    "there is no board usb:%04x:%04x/%s; gloss-info --list "
+				    "shows those that are there",
+				    where->vendor, where->product, where->serial);
 	else
-		accel_transport_say(error, "no Gloss board %04x:%04x on USB; lsusb shows what is "
-				    "plugged in", where->vendor, where->product);
+		accel_transport_say(error,
+				    "no Gloss board %04x:%04x on USB; lsusb shows what is "
+				    "plugged in",
+				    where->vendor, where->product);
 	return -ENODEV;
 }
 
@@ -94,9 +104,8 @@ static int node_read_serial(struct accel_usb_node *node,
 	int length = 0;
 
 	if (descriptor->iSerialNumber)
-		length = libusb_get_string_descriptor_ascii(node->handle,
-							    descriptor->iSerialNumber, serial,
-							    USB_SERIAL_BYTES - 1);
+		length = libusb_get_string_descriptor_ascii(node->handle, descriptor->iSerialNumber,
+							    serial, USB_SERIAL_BYTES - 1);
 	for (int i = 0; i < length; i++)
 		if (serial[i] < ' ' || serial[i] > '~')
 			serial[i] = '?';
@@ -274,7 +283,7 @@ static const char *device_speed(libusb_device *device)
 
 /* A board that was found. */
 struct listed {
-	struct accel_usb_node node;	/* of which only the name is of use */
+	struct accel_usb_node node; /* of which only the name is of use */
 	char path[USB_NAME_BYTES];
 	struct accel_transport_error line;
 };
@@ -294,15 +303,15 @@ static void listed_fill(struct listed *board, libusb_device *device,
 	}
 	node_identify(&board->node, where);
 	libusb_close(board->node.handle);
-	accel_transport_say(&board->line, "Gloss USB board /dev/bus/usb/%03u/%03u, port %s, "
-			    "%s speed", libusb_get_bus_number(device),
-			    libusb_get_device_address(device),
+	accel_transport_say(&board->line,
+			    "Gloss USB board /dev/bus/usb/%03u/%03u, port %s, "
+			    "%s speed",
+			    libusb_get_bus_number(device), libusb_get_device_address(device),
 			    *board->path ? board->path : "unknown", device_speed(device));
 }
 
 /* Of several with the same name each is called by its place. */
-static bool listed_is_unique(const struct listed *board, const struct listed *boards,
-			     size_t count)
+static bool listed_is_unique(const struct listed *board, const struct listed *boards, size_t count)
 {
 	for (size_t i = 0; i < count; i++)
 		if (&boards[i] != board && !strcmp(boards[i].node.name, board->node.name))

@@ -9,15 +9,16 @@
 #include "transport/usb/where.h"
 
 /* What a program that gets no memory from the kernel's USB can do about it. */
-#define USB_NO_MEMORY "the kernel has no memory for USB transfers, of which " \
-		      "/sys/module/usbcore/parameters/usbfs_memory_mb is the bound"
+#define USB_NO_MEMORY                                           \
+	"the kernel has no memory for USB transfers, of which " \
+	"/sys/module/usbcore/parameters/usbfs_memory_mb is the bound"
 
 struct accel_usb_node {
-	libusb_context *context;	/* of this board alone */
-	libusb_device_handle *handle;	/* which has claimed the interface */
-	bool stuck;			/* transfers are in flight that do not end */
-	char name[USB_NAME_BYTES];	/* as accel_device_new takes it */
-	char serial[USB_SERIAL_BYTES];	/* "": it has none */
+	libusb_context *context;       /* of this board alone */
+	libusb_device_handle *handle;  /* which has claimed the interface */
+	bool stuck;                    /* transfers are in flight that do not end */
+	char name[USB_NAME_BYTES];     /* as accel_device_new takes it */
+	char serial[USB_SERIAL_BYTES]; /* "": it has none */
 };
 
 /*

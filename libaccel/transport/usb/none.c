@@ -4,13 +4,12 @@
 
 #include "transport/transport.h"
 
-static int transport_usb_open(const char *where, void **state,
-			      struct accel_transport_error *error)
+static int transport_usb_open(const char *where, void **state, struct accel_transport_error *error)
 {
 	(void)where;
 	(void)state;
 	accel_transport_say(error, "this library was built without libusb; install "
-			    "libusb-1.0-0-dev and build it again");
+				   "libusb-1.0-0-dev and build it again");
 	return -ENOSYS;
 }
 

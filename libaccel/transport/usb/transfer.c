@@ -58,7 +58,8 @@ static int in_submit_all(struct accel_usb_link *link)
 {
 	int err = 0;
 
-	for (unsigned int i = 0; i < USB_IN_TRANSFERS && link->in_queued < link->in_count && !err; i++)
+	for (unsigned int i = 0; i < USB_IN_TRANSFERS && link->in_queued < link->in_count && !err;
+	     i++)
 		if (!link->in[i].queued)
 			err = in_submit(link, &link->in[i]);
 	return err;
@@ -116,8 +117,8 @@ static bool in_give_way(struct accel_usb_link *link)
 			return true;
 		last = in;
 	}
-	if (!last || (!bytes_halve(&link->in_count, 1) &&
-		      !bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN)))
+	if (!last ||
+	    (!bytes_halve(&link->in_count, 1) && !bytes_halve(&link->in_bytes, USB_IN_BYTES_MIN)))
 		return false;
 	last->gives_way = true;
 	libusb_cancel_transfer(last->transfer);
@@ -243,7 +244,8 @@ static void out_ended(struct libusb_transfer *transfer)
 	struct accel_usb_link *link = out->link;
 
 	pthread_mutex_lock(&link->lock);
-	if (!transfer_end_locked(out, &link->halted_out) || transfer->actual_length != transfer->length) {
+	if (!transfer_end_locked(out, &link->halted_out) ||
+	    transfer->actual_length != transfer->length) {
 		accel_usb_link_break_locked(link, -EIO);
 	} else if (out->job) {
 		link->moves++;
@@ -293,9 +295,9 @@ static bool in_take(struct accel_usb_link *link, const struct libusb_transfer *t
 	while (count) {
 		struct accel_usb_job *job = link->state == USB_LINK_READY ? link->answering : NULL;
 
-		if (!in_message(link, accel_usb_message_take(&link->parser,
-							    job ? &job->answer : NULL, &words,
-							    &count)))
+		if (!in_message(link,
+				accel_usb_message_take(&link->parser, job ? &job->answer : NULL,
+						       &words, &count)))
 			return false;
 	}
 	return true;

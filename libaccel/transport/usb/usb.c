@@ -15,7 +15,7 @@
 #include "transport/usb/node.h"
 
 #define MEMORY_PAGES_MAX (1u << 20)
-#define ATTEMPTS 3			/* to submit a job */
+#define ATTEMPTS 3 /* to submit a job */
 
 struct transport_usb {
 	struct accel_usb_node node;
@@ -29,8 +29,7 @@ struct transport_usb {
 static bool usb_info_fits(const struct accel_transport_info *info, uint32_t pages)
 {
 	return (info->tile_size == 32 || info->tile_size == 64) && pages &&
-	       pages <= MEMORY_PAGES_MAX && info->pixels_per_clock &&
-	       info->pixels_per_clock <= 8 &&
+	       pages <= MEMORY_PAGES_MAX && info->pixels_per_clock && info->pixels_per_clock <= 8 &&
 	       !(info->pixels_per_clock & (info->pixels_per_clock - 1));
 }
 
@@ -48,7 +47,9 @@ static void usb_name(struct accel_transport_info *info, const char *serial)
 static int usb_read_registers(struct accel_usb_node *node, uint32_t *value)
 {
 	static const uint16_t offset[] = {
-		GLOSS_REG_IDENTITY, GLOSS_REG_VERSION, GLOSS_REG_CAPABILITIES,
+		GLOSS_REG_IDENTITY,
+		GLOSS_REG_VERSION,
+		GLOSS_REG_CAPABILITIES,
 		GLOSS_REG_MEMORY_PAGES,
 	};
 	int err = 0;
@@ -66,8 +67,9 @@ static int usb_identify(struct transport_usb *transport, struct accel_transport_
 	int err = usb_read_registers(&transport->node, value);
 
 	if (err) {
-		accel_transport_say(error, err == -ENOMEM ? "%s: " USB_NO_MEMORY :
-				    "%s does not answer", name);
+		accel_transport_say(error,
+				    err == -ENOMEM ? "%s: " USB_NO_MEMORY : "%s does not answer",
+				    name);
 		return err == -ENOMEM ? err : -ENODEV;
 	}
 	*info = (struct accel_transport_info){
@@ -83,9 +85,10 @@ static int usb_identify(struct transport_usb *transport, struct accel_transport_
 		accel_transport_say(error, "%s speaks version %u of the stream, not %u", name,
 				    info->version, GLOSS_VERSION);
 	else if (!usb_info_fits(info, value[3]))
-		accel_transport_say(error, "%s is no Gloss board that there is: %u-pixel tiles, "
-				    "%u lanes, %u pages", name, info->tile_size,
-				    info->pixels_per_clock, value[3]);
+		accel_transport_say(error,
+				    "%s is no Gloss board that there is: %u-pixel tiles, "
+				    "%u lanes, %u pages",
+				    name, info->tile_size, info->pixels_per_clock, value[3]);
 	else
 		return 0;
 	return -ENODEV;
@@ -101,8 +104,9 @@ static int usb_start(struct transport_usb *transport, struct accel_transport_err
 		accel_transport_say(error, "%s: there is no memory; or " USB_NO_MEMORY,
 				    transport->node.name);
 	else
-		accel_transport_say(error, "%s %s", transport->node.name, err == -ENODEV ?
-				    "is gone" : "does not answer as a Gloss board does");
+		accel_transport_say(error, "%s %s", transport->node.name,
+				    err == -ENODEV ? "is gone" :
+						     "does not answer as a Gloss board does");
 	return err == -ENOMEM ? err : -ENODEV;
 }
 
@@ -116,8 +120,7 @@ static void usb_free(struct transport_usb *transport)
 	free(transport);
 }
 
-static int transport_usb_open(const char *where, void **state,
-			      struct accel_transport_error *error)
+static int transport_usb_open(const char *where, void **state, struct accel_transport_error *error)
 {
 	struct transport_usb *transport = calloc(1, sizeof(*transport));
 	int err;

@@ -6,7 +6,7 @@
 #include "gloss_regs.h"
 #include "transport/usb/where.h"
 
-#define PORTS_MAX 7			/* hubs behind one another, as USB allows */
+#define PORTS_MAX 7 /* hubs behind one another, as USB allows */
 
 /* ---- what a person writes ---- */
 
@@ -63,8 +63,10 @@ int accel_usb_where_parse(const char *text, struct accel_usb_where *where,
 		where->serial = text + 1;
 		return 0;
 	}
-	accel_transport_say(error, "name a board as in usb:%04x:%04x/SERIAL, usb:/SERIAL, usb:1-2 "
-			    "(its bus and port) or usb:", GLOSS_USB_VENDOR, GLOSS_USB_PRODUCT);
+	accel_transport_say(error,
+			    "name a board as in usb:%04x:%04x/SERIAL, usb:/SERIAL, usb:1-2 "
+			    "(its bus and port) or usb:",
+			    GLOSS_USB_VENDOR, GLOSS_USB_PRODUCT);
 	return -EINVAL;
 }
 
@@ -114,8 +116,8 @@ static bool endpoint_is(const struct libusb_interface_descriptor *interface, uns
 {
 	for (int i = 0; i < interface->bNumEndpoints; i++)
 		if (interface->endpoint[i].bEndpointAddress == address)
-			return (interface->endpoint[i].bmAttributes &
-				LIBUSB_TRANSFER_TYPE_MASK) == (int)type;
+			return (interface->endpoint[i].bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) ==
+			       (int)type;
 	return false;
 }
 
@@ -153,8 +155,8 @@ unsigned int accel_usb_where_place(libusb_device *device)
 	return libusb_get_bus_number(device) << 8 | libusb_get_device_address(device);
 }
 
-libusb_device *accel_usb_where_next(libusb_device *const *list,
-				    const struct accel_usb_where *where, unsigned int last)
+libusb_device *accel_usb_where_next(libusb_device *const *list, const struct accel_usb_where *where,
+				    unsigned int last)
 {
 	libusb_device *next = NULL;
 

@@ -116,15 +116,18 @@ static inline void shape_drum(struct shape *shape, int n)
 
 		cap[end] = shape_vertex(shape, (const double[3]){ 0, 0, z }, along);
 		for (int i = 0; i < n; i++)
-			shape_vertex(shape, (const double[3]){ 0.7 * cos(turn * i / n),
-							       0.7 * sin(turn * i / n), z }, along);
+			shape_vertex(shape,
+				     (const double[3]){ 0.7 * cos(turn * i / n),
+							0.7 * sin(turn * i / n), z },
+				     along);
 	}
 	wall = shape->mesh.vertices;
 	for (int i = 0; i < 2 * n; i++)
-		shape_vertex(shape, (const double[3]){ 0.7 * cos(turn * (i / 2) / n),
-						       0.7 * sin(turn * (i / 2) / n),
-						       i % 2 ? 0.7 : -0.7 },
-			     (const double[3]){ cos(turn * (i / 2) / n), sin(turn * (i / 2) / n), 0 });
+		shape_vertex(shape,
+			     (const double[3]){ 0.7 * cos(turn * (i / 2) / n),
+						0.7 * sin(turn * (i / 2) / n), i % 2 ? 0.7 : -0.7 },
+			     (const double[3]){ cos(turn * (i / 2) / n), sin(turn * (i / 2) / n),
+						0 });
 	for (uint32_t i = 0; i < (uint32_t)n; i++) {
 		uint32_t next = (i + 1) % (uint32_t)n, a = wall + 2 * i, b = wall + 2 * next;
 
@@ -139,11 +142,25 @@ static inline void shape_drum(struct shape *shape, int n)
 static inline void state_look(struct accel_state *state, float distance)
 {
 	const float near = 0.1f, far = 20, f = 2.7474774f;
-	const float projection[16] = { f, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1,
-				       0, 0, 2 * far * near / (near - far), 0 };
+	const float projection[16] = { f,
+				       0,
+				       0,
+				       0,
+				       0,
+				       f,
+				       0,
+				       0,
+				       0,
+				       0,
+				       (far + near) / (near - far),
+				       -1,
+				       0,
+				       0,
+				       2 * far * near / (near - far),
+				       0 };
 	const float c1 = cosf(0.9f), s1 = sinf(0.9f), c2 = cosf(0.5f), s2 = sinf(0.5f);
-	const float modelview[16] = { c2, s2 * s1, -s2 * c1, 0, 0, c1, s1, 0,
-				      s2, -c2 * s1, c2 * c1, 0, 0, 0, -distance, 1 };
+	const float modelview[16] = { c2, s2 * s1,  -s2 * c1, 0, 0, c1, s1,        0,
+				      s2, -c2 * s1, c2 * c1,  0, 0, 0,  -distance, 1 };
 
 	accel_state_set_projection(state, projection);
 	accel_state_set_modelview(state, modelview);
@@ -152,15 +169,16 @@ static inline void state_look(struct accel_state *state, float distance)
 /* One light from the viewer's right, a white highlight of exponent @n, depth test. */
 static inline struct accel_state *state_shiny(float n)
 {
-	struct accel_material material =
-		ACCEL_MATERIAL(.ambient = { 0.1f, 0.1f, 0.2f, 1 },
-			       .diffuse = { 0.6f, 0.5f, 0.2f, 1 },
-			       .specular = { 0.5f, 0.5f, 0.5f, 1 }, .shininess = n);
-	struct accel_light light =
-		ACCEL_LIGHT(.enabled = true, .position = { 0.3f, 0.4f, 0.866f, 0 },
-			    .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
-			    .attenuation = { 1, 0, 0 }, .spot_direction = { 0, 0, -1 },
-			    .spot_cutoff = 180);
+	struct accel_material material = ACCEL_MATERIAL(.ambient = { 0.1f, 0.1f, 0.2f, 1 },
+							.diffuse = { 0.6f, 0.5f, 0.2f, 1 },
+							.specular = { 0.5f, 0.5f, 0.5f, 1 },
+							.shininess = n);
+	struct accel_light light = ACCEL_LIGHT(.enabled = true,
+					       .position = { 0.3f, 0.4f, 0.866f, 0 },
+					       .diffuse = { 1, 1, 1, 1 },
+					       .specular = { 1, 1, 1, 1 },
+					       .attenuation = { 1, 0, 0 },
+					       .spot_direction = { 0, 0, -1 }, .spot_cutoff = 180);
 	struct accel_state *state;
 
 	assert_int_equal(accel_state_new(&state), 0);

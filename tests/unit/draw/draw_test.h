@@ -13,7 +13,10 @@ static inline struct accel_vertex vertex_at(int x, int y)
 	const int one = ACCEL_WINDOW_ONE >> ACCEL_SNAP_BITS;
 
 	return (struct accel_vertex){
-		.x = x * one, .y = y * one, .w = 1, .paint = { 1, 1, 1, 1 },
+		.x = x * one,
+		.y = y * one,
+		.w = 1,
+		.paint = { 1, 1, 1, 1 },
 	};
 }
 
@@ -168,8 +171,8 @@ static inline void picture_record(void *data, const uint32_t *packet, int tile_x
 	while (model_raster_next(&walk, &scissor, &span)) {
 		int at = (tile_y + span.y) * picture->pitch + tile_x + span.x0;
 
-		model_shade_span(&triangle, model_raster_anchor(&triangle, tile_size), &span, colour,
-				 depth);
+		model_shade_span(&triangle, model_raster_anchor(&triangle, tile_size), &span,
+				 colour, depth);
 		for (int i = 0; i < span.x1 - span.x0; i++) {
 			picture->colour[at + i] = colour[i];
 			picture->depth[at + i] = depth[i];

@@ -66,9 +66,9 @@ static const struct accel_transport_ops *board;
 static struct accel_transport_ops spy;
 static uint32_t sent_words[65536];
 static uint32_t sent_count, sent_jobs;
-static uint32_t refused_job;		/* the one that there is no memory for, 0: none */
+static uint32_t refused_job; /* the one that there is no memory for, 0: none */
 static unsigned int waits;
-static const uint32_t *sent_part[16];	/* the first ones of the last job */
+static const uint32_t *sent_part[16]; /* the first ones of the last job */
 
 static int spy_submit(void *state, const struct accel_transport_job *job, uint64_t *sequence)
 {
@@ -85,8 +85,7 @@ static int spy_submit(void *state, const struct accel_transport_job *job, uint64
 	return board->submit(state, job, sequence);
 }
 
-static int spy_wait(void *state, uint64_t sequence, int64_t timeout_ns,
-		    struct gloss_status *status)
+static int spy_wait(void *state, uint64_t sequence, int64_t timeout_ns, struct gloss_status *status)
 {
 	waits++;
 	return board->wait(state, sequence, timeout_ns, status);
@@ -109,7 +108,8 @@ static void submit(struct fixture *f, size_t job_words)
 
 	spy_begin(f);
 	assert_int_equal(accel_frame_submit(&f->bin, f->stream, f->target, job_words, &f->stats,
-					    &fence, &sent), 0);
+					    &fence, &sent),
+			 0);
 	assert_int_equal(waits, 0);
 	f->device->ops = board;
 	assert_true(sent);
@@ -221,8 +221,8 @@ static void depth_is_loaded_and_stored_only_if_it_is_used(void **state)
 		draw_at(f, 10, 10, 20);
 		submit(f, ACCEL_JOB_WORDS);
 		assert_int_equal(begin_of(0).depth_load, cases[i].load);
-		assert_int_equal(end_of(0).depth_output, cases[i].store ? GLOSS_TILE_OUTPUT_STORE :
-									  GLOSS_TILE_OUTPUT_DROP);
+		assert_int_equal(end_of(0).depth_output,
+				 cases[i].store ? GLOSS_TILE_OUTPUT_STORE : GLOSS_TILE_OUTPUT_DROP);
 		assert_true(begin_of(0).colour_load);
 	}
 }
@@ -303,10 +303,13 @@ static void clearing_one_surface_draws_over_what_was_drawn(void **state)
 	submit(f, ACCEL_JOB_WORDS);
 	assert_int_equal(packets(GLOSS_OP_TILE_BEGIN), 8);
 	for (int y = 0; y < HEIGHT; y++) {
-		assert_int_equal(accel_buffer_read(f->target->colour, (uint64_t)y * f->target->pitch,
-						   colour, sizeof(colour)), 0);
+		assert_int_equal(accel_buffer_read(f->target->colour,
+						   (uint64_t)y * f->target->pitch, colour,
+						   sizeof(colour)),
+				 0);
 		assert_int_equal(accel_buffer_read(f->target->depth, (uint64_t)y * f->target->pitch,
-						   depth, sizeof(depth)), 0);
+						   depth, sizeof(depth)),
+				 0);
 		for (int x = 0; x < WIDTH; x++) {
 			bool drawn = y < 64 && x >= 64 && x - 64 < y;
 
@@ -392,9 +395,10 @@ static void a_frame_in_many_jobs_is_the_same_picture(void **state)
 	for (int i = 0; i < 2; i++) {
 		submit(f, sizes[i]);
 		assert_int_equal(accel_buffer_read(f->target->colour, 0, picture[i],
-						   sizeof(picture[i])), 0);
-		assert_int_equal(accel_buffer_read(f->target->depth, 0, depth[i],
-						   sizeof(depth[i])), 0);
+						   sizeof(picture[i])),
+				 0);
+		assert_int_equal(accel_buffer_read(f->target->depth, 0, depth[i], sizeof(depth[i])),
+				 0);
 		assert_true(i ? sent_jobs == 8 : sent_jobs == 1);
 	}
 	assert_memory_equal(picture[0], picture[1], sizeof(picture[0]));
@@ -431,7 +435,8 @@ static void memory_that_is_short_is_told_from_a_part_that_was_drawn(void **state
 		spy_begin(f);
 		refused_job = job;
 		assert_int_equal(accel_frame_submit(&f->bin, f->stream, f->target, 1, &f->stats,
-						    &fence, &sent), job == 1 ? -ENOMEM : -EIO);
+						    &fence, &sent),
+				 job == 1 ? -ENOMEM : -EIO);
 		assert_int_equal(sent, job > 1);
 		assert_int_equal(sent_jobs, job - 1);
 		f->device->ops = board;

@@ -18,7 +18,7 @@ static void chance_edge(const struct accel_pass *pass, const struct accel_vertex
 static uint8_t counts[2][WIDTH * HEIGHT];
 static uint32_t colours[2][WIDTH * HEIGHT], depths[2][WIDTH * HEIGHT];
 static uint64_t seed;
-static uint32_t split_odds;		/* in 16 */
+static uint32_t split_odds; /* in 16 */
 
 /* A surface of second order all over the target, 0 to 1. */
 static void surface_colour(int32_t x, int32_t y, float colour[3])

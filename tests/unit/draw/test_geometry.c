@@ -101,8 +101,8 @@ static void what_is_visible_is_viewport_scissor_and_target_together(void **state
 
 static void whatever_the_numbers_what_is_visible_is_in_the_target_and_in_order(void **state)
 {
-	static const int end[] = { INT32_MIN, INT32_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT32_MAX - 1,
-				   INT32_MAX };
+	static const int end[] = { INT32_MIN, INT32_MIN + 1, -SIDE,         -1,       0,
+				   1,         SIDE,          INT32_MAX - 1, INT32_MAX };
 	struct fixture *f = *state;
 	const struct accel_bounds *visible = &f->transform.window.visible;
 	uint64_t seed = test_seed();
@@ -144,7 +144,8 @@ static void normals_stay_at_right_angles_under_any_matrix(void **state)
 		accel_geometry_init(&f->transform, f->state, SIDE, SIDE);
 		for (int i = 0; i < 2; i++)
 			assert_int_equal(accel_geometry_vertex(&f->transform, position[i], normal,
-							       &vertex[i]), 0);
+							       &vertex[i]),
+					 0);
 		for (int i = 0; i < 3; i++) {
 			length += vertex[0].normal[i] * vertex[0].normal[i];
 			along += vertex[0].normal[i] * (vertex[1].eye[i] - vertex[0].eye[i]);
@@ -164,7 +165,8 @@ static void a_mirrored_normal_stays_on_its_side_of_the_surface(void **state)
 	accel_state_set_modelview(f->state, mirror);
 	accel_geometry_init(&f->transform, f->state, SIDE, SIDE);
 	assert_int_equal(accel_geometry_vertex(&f->transform, (const float[3]){ 0, 0, -1 },
-					       (const float[3]){ 3, 0, 4 }, &vertex), 0);
+					       (const float[3]){ 3, 0, 4 }, &vertex),
+			 0);
 	assert_float_equal(vertex.normal[0], -0.6, 1e-6);
 	assert_float_equal(vertex.normal[2], 0.8, 1e-6);
 }
@@ -186,7 +188,8 @@ static void what_is_not_finite_is_refused(void **state)
 	f->state->modelview[0] = 3e38f;
 	accel_geometry_init(&f->transform, f->state, SIDE, SIDE);
 	assert_int_equal(accel_geometry_vertex(&f->transform, (const float[3]){ 3e38f, 0, 0 }, NULL,
-					       &vertex), -EINVAL);
+					       &vertex),
+			 -EINVAL);
 }
 
 /* Any corners whatever: what is left is inside, and inside the coordinates' range. */

@@ -56,7 +56,8 @@ static void reference_sample(const struct accel_state *state, int side, const do
 		n[i] = side ? -normal[i] : normal[i];
 		if (state->local_viewer)
 			viewer[i] = -eye[i];
-		colour[i] = (double)m->emission[i] + (double)state->ambient[i] * (double)m->ambient[i];
+		colour[i] = (double)m->emission[i] +
+			    (double)state->ambient[i] * (double)m->ambient[i];
 	}
 	unit(n);
 	unit(viewer);
@@ -73,9 +74,11 @@ static void reference_sample(const struct accel_state *state, int side, const do
 		diffuse = fmax(dot(n, to), 0);
 		highlight = diffuse > 0 ? pow(fmax(dot(n, half), 0), (double)m->shininess) : 0;
 		for (int i = 0; i < 3; i++)
-			colour[i] += factor * ((double)light->ambient[i] * (double)m->ambient[i] +
-				diffuse * (double)light->diffuse[i] * (double)m->diffuse[i] +
-				highlight * (double)light->specular[i] * (double)m->specular[i]);
+			colour[i] += factor *
+				     ((double)light->ambient[i] * (double)m->ambient[i] +
+				      diffuse * (double)light->diffuse[i] * (double)m->diffuse[i] +
+				      highlight * (double)light->specular[i] *
+					      (double)m->specular[i]);
 	}
 }
 
@@ -95,8 +98,8 @@ static void random_vector(uint64_t *seed, float v[3], float length)
 
 static struct accel_light random_light(uint64_t *seed)
 {
-	struct accel_light light =
-		ACCEL_LIGHT(.enabled = test_below(seed, 3) != 0, .spot_cutoff = 180);
+	struct accel_light light = ACCEL_LIGHT(.enabled = test_below(seed, 3) != 0,
+					       .spot_cutoff = 180);
 
 	random_vector(seed, light.position, 3);
 	light.position[3] = test_below(seed, 2) ? 0.5f + test_unit(seed) : 0;

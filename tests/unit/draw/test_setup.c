@@ -5,7 +5,7 @@
  */
 #include "draw_test.h"
 
-#define SIDE 192			/* of the target, pixels */
+#define SIDE 192 /* of the target, pixels */
 #define GRID 7
 #define RANDOM_TRIANGLES 100000
 #define RANDOM_RECORDS 100000
@@ -21,8 +21,8 @@ static void bin_open(struct accel_bin *bin, int tile_size)
 
 static void fail_pixel(const struct accel_vertex *const vertex[3], int x, int y)
 {
-	fail_msg("(%d,%d) (%d,%d) (%d,%d)/%d: pixel %d,%d", vertex[0]->x, vertex[0]->y, vertex[1]->x,
-		 vertex[1]->y, vertex[2]->x, vertex[2]->y, ACCEL_WINDOW_ONE, x, y);
+	fail_msg("(%d,%d) (%d,%d) (%d,%d)/%d: pixel %d,%d", vertex[0]->x, vertex[0]->y,
+		 vertex[1]->x, vertex[1]->y, vertex[2]->x, vertex[2]->y, ACCEL_WINDOW_ONE, x, y);
 }
 
 static int low_of(int32_t a, int32_t b, int32_t c)
@@ -38,7 +38,7 @@ static int high_of(int32_t a, int32_t b, int32_t c)
 }
 
 struct box {
-	int x0, y0, x1, y1;		/* pixels, x1 and y1 outside */
+	int x0, y0, x1, y1; /* pixels, x1 and y1 outside */
 };
 
 static struct box box_of(const struct accel_vertex *const v[3])
@@ -92,7 +92,8 @@ static void triangles_of_a_grid_cover_what_edge_functions_say(void **state)
 			continue;
 		for (int i = 0; i < 3; i++)
 			node[i] = vertex_at((60 + pick[i] % GRID) * 16 + test_between(&seed, 0, 16),
-					    (61 + pick[i] / GRID) * 16 + test_between(&seed, 0, 16));
+					    (61 + pick[i] / GRID) * 16 +
+						    test_between(&seed, 0, 16));
 		if (!accel_surface_area(&node[0], &node[1], &node[2]))
 			continue;
 		check_records(&bin[0], vertex);
@@ -135,7 +136,8 @@ static void random_triangles_are_drawn_once_across_tiles(void **state)
 }
 
 /* Pixels of a row that are inside are neighbours, so the ends of the row tell all of it. */
-static void check_row(const struct accel_vertex *const vertex[3], const struct accel_row *row, int y)
+static void check_row(const struct accel_vertex *const vertex[3], const struct accel_row *row,
+		      int y)
 {
 	struct box box = box_of(vertex);
 
@@ -203,12 +205,15 @@ static void a_fan_covers_each_pixel_once(void **state)
 	for (int n = 0; n < 300; n++) {
 		assert_int_equal(accel_bin_begin(&bin, SIDE, SIDE), 0);
 		memset(counts, 0, sizeof(counts));
-		centre = vertex_at(test_between(&seed, 1, SIDE * 16), test_between(&seed, 1, SIDE * 16));
+		centre = vertex_at(test_between(&seed, 1, SIDE * 16),
+				   test_between(&seed, 1, SIDE * 16));
 		for (int i = 0; i < 16; i++) {
 			/* Four points on each side of the square, corners among them. */
 			int along = i % 4 ? test_between(&seed, (i % 4 - 1) * 60 * 16 + 1,
-							 (i % 4) * 60 * 16) : 0;
-			const int place[4][2] = { { along, 0 }, { SIDE * 16, along },
+							 (i % 4) * 60 * 16) :
+					    0;
+			const int place[4][2] = { { along, 0 },
+						  { SIDE * 16, along },
 						  { SIDE * 16 - along, SIDE * 16 },
 						  { 0, SIDE * 16 - along } };
 

@@ -54,7 +54,8 @@ static int teardown(void **state)
 static bool corners_random(struct fixture *f)
 {
 	int size = 1 << test_between(&f->seed, 3, 12);
-	int x = test_between(&f->seed, 0, SIDE * 16 - size), y = test_between(&f->seed, 0, SIDE * 16 - size);
+	int x = test_between(&f->seed, 0, SIDE * 16 - size),
+	    y = test_between(&f->seed, 0, SIDE * 16 - size);
 
 	for (int i = 0; i < 3; i++) {
 		f->vertex[i] = vertex_at(x + test_between(&f->seed, 0, size + 1),
@@ -77,13 +78,13 @@ static void colours_random(struct fixture *f, float most, float bend)
 {
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 4; j++)
-			f->vertex[i].sample.colour[j] =
-				test_unit(&f->seed) * (j < 3 ? most : 1);
+			f->vertex[i].sample.colour[j] = test_unit(&f->seed) * (j < 3 ? most : 1);
 	for (int i = 0; i < 3; i++) {
 		f->edge[i].curved = true;
 		for (int j = 0; j < 3; j++) {
 			float line = (f->vertex[i].sample.colour[j] +
-				      f->vertex[(i + 1) % 3].sample.colour[j]) / 2;
+				      f->vertex[(i + 1) % 3].sample.colour[j]) /
+				     2;
 			float middle = line + bend * (2 * test_unit(&f->seed) - 1);
 			float highest = (ACCEL_COLOUR_MAX + line) / 2;
 
@@ -125,7 +126,8 @@ static void weights_at(const struct fixture *f, int pixel, double weight[3])
 
 	for (int i = 0; i < 3; i++)
 		weight[i] = (double)accel_surface_area(&centre, f->corner[(i + 1) % 3],
-						       f->corner[(i + 2) % 3]) / area;
+						       f->corner[(i + 2) % 3]) /
+			    area;
 }
 
 static double second_order_at(const struct fixture *f, const double w[3], int channel)
@@ -164,7 +166,8 @@ static void check_pixels(struct fixture *f,
 					 at(f, w, i) / STEP);
 			z += w[i] * f->vertex[i].z * 16777215;
 		}
-		assert_true(fabs((colours[0][pixel] >> 24) * STEP - linear_at(f, w, 3)) < 0.65 * STEP);
+		assert_true(fabs((colours[0][pixel] >> 24) * STEP - linear_at(f, w, 3)) <
+			    0.65 * STEP);
 		/* Narrow planes have 1/64 of a step, and 63 pixels to go. */
 		if (fabs(depths[0][pixel] - z) > (f->plane.narrow ? 1.1 : 0.7))
 			fail_msg("pixel %d: depth %u is not %f", pixel, depths[0][pixel], z);
@@ -209,8 +212,10 @@ static void linear_surfaces_go_through_their_samples(void **state)
 /* As thin as can be: the sides of length up to @length, the area 1/512 of a pixel or so. */
 static bool sliver_random(struct fixture *f, int length)
 {
-	int x = test_between(&f->seed, 0, 16 * SIDE - length), dx = test_between(&f->seed, 1, length);
-	int y = test_between(&f->seed, 0, 16 * SIDE - length), dy = test_between(&f->seed, 0, length);
+	int x = test_between(&f->seed, 0, 16 * SIDE - length),
+	    dx = test_between(&f->seed, 1, length);
+	int y = test_between(&f->seed, 0, 16 * SIDE - length),
+	    dy = test_between(&f->seed, 0, length);
 	int cut = test_between(&f->seed, 1, 16);
 
 	f->vertex[0] = vertex_at(x, y);

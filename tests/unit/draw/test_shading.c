@@ -195,8 +195,8 @@ static void random_direction(uint64_t *seed, float v[3], float length)
 }
 
 /* Neighbouring points of a surface that bends by up to @bend. */
-static void random_pair(uint64_t *seed, const struct fixture *f, float bend,
-			struct accel_vertex *a, struct accel_vertex *b)
+static void random_pair(uint64_t *seed, const struct fixture *f, float bend, struct accel_vertex *a,
+			struct accel_vertex *b)
 {
 	float away[3];
 
@@ -346,8 +346,8 @@ int main(void)
 						setup, teardown),
 		cmocka_unit_test_setup_teardown(midpoints_are_where_the_screen_has_them, setup,
 						teardown),
-		cmocka_unit_test_setup_teardown(
-			colours_without_light_are_corrected_for_perspective, setup, teardown),
+		cmocka_unit_test_setup_teardown(colours_without_light_are_corrected_for_perspective,
+						setup, teardown),
 		cmocka_unit_test_setup_teardown(an_edge_is_the_same_from_both_sides_to_the_bit,
 						setup, teardown),
 		cmocka_unit_test_setup_teardown(what_is_drawn_is_near_the_light_all_along_an_edge,

@@ -75,12 +75,12 @@ static inline void put(struct model_test *t, uint32_t word)
 }
 
 /* put_<packet>(t, (struct gloss_<packet>){ ... }) */
-#define PUT_PACKET(packet, length) \
+#define PUT_PACKET(packet, length)                                                     \
 	static inline void put_##packet(struct model_test *t, struct gloss_##packet p) \
-	{ \
-		assert_true(t->job.stream_words + (length) < MODEL_TEST_WORDS); \
-		gloss_##packet##_pack(t->words + t->job.stream_words, &p); \
-		t->job.stream_words += 1 + (length); \
+	{                                                                              \
+		assert_true(t->job.stream_words + (length) < MODEL_TEST_WORDS);        \
+		gloss_##packet##_pack(t->words + t->job.stream_words, &p);             \
+		t->job.stream_words += 1 + (length);                                   \
 	}
 
 PUT_PACKET(read_memory, GLOSS_READ_MEMORY_WORDS)
@@ -119,8 +119,8 @@ static inline void put_cover(struct model_test *t, uint32_t rgb, uint32_t alpha,
 		.z_high = depth >> (32 - GLOSS_DEPTH_FRACTION),
 	};
 
-	put_triangle(t, (struct gloss_triangle){ GLOSS_GEOMETRY_COVERING, GLOSS_SHADING_FLAT,
-						 false, alpha });
+	put_triangle(t, (struct gloss_triangle){ GLOSS_GEOMETRY_COVERING, GLOSS_SHADING_FLAT, false,
+						 alpha });
 	gloss_depth_wide_pack(t->words + t->job.stream_words, &plane);
 	t->job.stream_words += GLOSS_DEPTH_WIDE_WORDS;
 	put(t, rgb);

@@ -72,8 +72,10 @@ static uint32_t channel(const struct model_surface *s, int u, int v)
 
 static uint32_t depth_at(const struct model_plane *p, int u, int v)
 {
-	struct accumulator a = { .i = wrap((int64_t)p->z, 40), .dx = wrap((int64_t)p->dx, 40),
-				 .dy = wrap((int64_t)p->dy, 40), .bits = 40 };
+	struct accumulator a = { .i = wrap((int64_t)p->z, 40),
+				 .dx = wrap((int64_t)p->dx, 40),
+				 .dy = wrap((int64_t)p->dy, 40),
+				 .bits = 40 };
 
 	return value(a, u, v, 12, (1 << 24) - 1);
 }
@@ -116,9 +118,8 @@ static void pixel(const struct model_triangle *t, const struct model_state *stat
 	*colour = (*colour & ~state->colour_mask) | (new_colour & state->colour_mask);
 }
 
-void reference_draw(const struct model_triangle *t, int tile_size,
-		    const struct model_state *state, struct model_tile *tile,
-		    struct model_counters *counters)
+void reference_draw(const struct model_triangle *t, int tile_size, const struct model_state *state,
+		    struct model_tile *tile, struct model_counters *counters)
 {
 	struct model_edge left = t->left, right = t->right;
 	int anchor = left.x < 0 ? 0 : left.x >= tile_size ? tile_size - 1 : left.x;

@@ -4,10 +4,14 @@
 
 #define TILE 64
 #define PIXELS (TILE * TILE)
-#define DEPTH_FIRST PIXELS		/* where depth starts if both are answered */
+#define DEPTH_FIRST PIXELS /* where depth starts if both are answered */
 
-#define ANSWER_BOTH (struct gloss_tile_end){ .colour_output = GLOSS_TILE_OUTPUT_ANSWER, \
-					     .depth_output = GLOSS_TILE_OUTPUT_ANSWER }
+#define ANSWER_BOTH                                        \
+	(struct gloss_tile_end)                            \
+	{                                                  \
+		.colour_output = GLOSS_TILE_OUTPUT_ANSWER, \
+		.depth_output = GLOSS_TILE_OUTPUT_ANSWER   \
+	}
 
 static void empty_stream_does_nothing(void **state)
 {
@@ -222,11 +226,10 @@ static void colour_mask_keeps_channels(void **state)
 		put_colour_mask(t, (struct gloss_colour_mask){ mask & 1, mask & 2, mask & 4,
 							       mask & 8 });
 		put_cover(t, 0xccddee, 0xbb, 0);
-		put_tile_end(t, (struct gloss_tile_end){ .colour_output =
-								 GLOSS_TILE_OUTPUT_ANSWER });
+		put_tile_end(t,
+			     (struct gloss_tile_end){ .colour_output = GLOSS_TILE_OUTPUT_ANSWER });
 		run_whole(t);
-		assert_int_equal(t->response[0],
-				 (0x11223344 & ~written) | (0xbbccddee & written));
+		assert_int_equal(t->response[0], (0x11223344 & ~written) | (0xbbccddee & written));
 	}
 }
 

@@ -177,8 +177,7 @@ static void compare(void (*draw)(struct model *, const struct model_triangle *),
 		triangle = random_triangle(&test.seed, tile_size);
 		random_state(&test.seed, tile_size, &test.model.state);
 		draw(&test.model, &triangle);
-		reference_draw(&triangle, tile_size, &test.model.state, &test.tile,
-			       &test.counters);
+		reference_draw(&triangle, tile_size, &test.model.state, &test.tile, &test.counters);
 		assert_same(&test, n);
 	}
 	assert_true(test.counters.passed > (uint32_t)triangles);

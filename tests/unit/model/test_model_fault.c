@@ -12,7 +12,7 @@
 #define ANSWER_DEPTH ((uint32_t)GLOSS_TILE_OUTPUT_ANSWER << 13)
 #define STORE_COLOUR ((uint32_t)GLOSS_TILE_OUTPUT_STORE << 11)
 #define STORE_DEPTH ((uint32_t)GLOSS_TILE_OUTPUT_STORE << 13)
-#define TRIANGLE(geometry, shading) \
+#define TRIANGLE(geometry, shading)                                                      \
 	((uint32_t)GLOSS_OP_TRIANGLE << 24 | (uint32_t)GLOSS_GEOMETRY_##geometry << 11 | \
 	 (uint32_t)GLOSS_SHADING_##shading << 13)
 #define COLOUR_SURFACE(slot, pitch) HEADER(COLOUR_SURFACE, 0, 1), (pitch) << 16 | (slot)
@@ -22,12 +22,12 @@
 
 /* Slots of every case below; the others are empty. */
 enum slots {
-	WHOLE,		/* one tile of 64 by 64, read and write */
-	READ,		/* the same, read only */
-	WRITE,		/* the same, write only */
-	SMALL,		/* 100 bytes, read and write */
-	ODD,		/* 103 bytes */
-	LATE,		/* as WHOLE but four bytes shorter */
+	WHOLE, /* one tile of 64 by 64, read and write */
+	READ,  /* the same, read only */
+	WRITE, /* the same, write only */
+	SMALL, /* 100 bytes, read and write */
+	ODD,   /* 103 bytes */
+	LATE,  /* as WHOLE but four bytes shorter */
 };
 
 #define TILE_BYTES (64u * 256u)
@@ -37,9 +37,9 @@ struct fault_case {
 	uint32_t words[48];
 	size_t count;
 	enum gloss_fault fault;
-	uint32_t at;			/* from the first of words */
-	uint32_t room;			/* in the response; 0: plenty */
-	int tile_size;			/* 0: 64 */
+	uint32_t at;   /* from the first of words */
+	uint32_t room; /* in the response; 0: plenty */
+	int tile_size; /* 0: 64 */
 };
 
 static const struct fault_case cases[] = {
@@ -52,8 +52,8 @@ static const struct fault_case cases[] = {
 	/* header bits */
 	{ "nop reserved", WORDS(HEADER(NOP, BIT(11), 0)), GLOSS_FAULT_VALUE, 0 },
 	{ "nop reserved high", WORDS(HEADER(NOP, BIT(23), 0)), GLOSS_FAULT_VALUE, 0 },
-	{ "tile_begin reserved", WORDS(HEADER(TILE_BEGIN, BIT(13), 2), 0, 0),
-	  GLOSS_FAULT_VALUE, 0 },
+	{ "tile_begin reserved", WORDS(HEADER(TILE_BEGIN, BIT(13), 2), 0, 0), GLOSS_FAULT_VALUE,
+	  0 },
 	{ "tile_end reserved", WORDS(TILE_BEGIN, HEADER(TILE_END, BIT(15), 2), 0, 0),
 	  GLOSS_FAULT_VALUE, 3 },
 	{ "tile_end colour output 3", WORDS(TILE_BEGIN, HEADER(TILE_END, 3u << 11, 2), 0, 0),
@@ -64,11 +64,11 @@ static const struct fault_case cases[] = {
 	{ "colour_mask reserved", WORDS(HEADER(COLOUR_MASK, BIT(15), 0)), GLOSS_FAULT_VALUE, 0 },
 	{ "triangle geometry 3", WORDS(TILE_BEGIN, HEADER(TRIANGLE, 3u << 11, 0)),
 	  GLOSS_FAULT_VALUE, 3 },
-	{ "triangle shading 3", WORDS(TILE_BEGIN, HEADER(TRIANGLE, 3u << 13, 0)),
-	  GLOSS_FAULT_VALUE, 3 },
+	{ "triangle shading 3", WORDS(TILE_BEGIN, HEADER(TRIANGLE, 3u << 13, 0)), GLOSS_FAULT_VALUE,
+	  3 },
 	{ "header bits before length", WORDS(HEADER(COUNTERS, BIT(20), 1)), GLOSS_FAULT_VALUE, 0 },
-	{ "header bits before order", WORDS(HEADER(TILE_END, BIT(20), 2), 0, 0),
-	  GLOSS_FAULT_VALUE, 0 },
+	{ "header bits before order", WORDS(HEADER(TILE_END, BIT(20), 2), 0, 0), GLOSS_FAULT_VALUE,
+	  0 },
 
 	/* length */
 	{ "write_memory without data", WORDS(HEADER(WRITE_MEMORY, 0, 2), WHOLE, 0),
@@ -88,8 +88,8 @@ static const struct fault_case cases[] = {
 	  WORDS(TILE_BEGIN, TRIANGLE(COVERING, FLAT) | BIT(15) | 5, 0, 0, 0, 0, 0),
 	  GLOSS_FAULT_LENGTH, 3 },
 	{ "nop past the end", WORDS(HEADER(NOP, 0, 4), 0, 0, 0), GLOSS_FAULT_LENGTH, 0 },
-	{ "longest nop past the end", WORDS(HEADER(NOP, 0, GLOSS_LENGTH_MAX)),
-	  GLOSS_FAULT_LENGTH, 0 },
+	{ "longest nop past the end", WORDS(HEADER(NOP, 0, GLOSS_LENGTH_MAX)), GLOSS_FAULT_LENGTH,
+	  0 },
 	{ "scissor past the end", WORDS(HEADER(SCISSOR, 0, 1)), GLOSS_FAULT_LENGTH, 0 },
 	{ "length before order", WORDS(HEADER(TILE_END, 0, 3), 0, 0, 0), GLOSS_FAULT_LENGTH, 0 },
 	{ "end of stream before order", WORDS(HEADER(TILE_END, 0, 2), 0), GLOSS_FAULT_LENGTH, 0 },
@@ -97,15 +97,15 @@ static const struct fault_case cases[] = {
 	  GLOSS_FAULT_LENGTH, 0 },
 
 	/* order */
-	{ "write_memory in a tile",
-	  WORDS(TILE_BEGIN, HEADER(WRITE_MEMORY, 0, 3), WHOLE, 0, 0), GLOSS_FAULT_ORDER, 3 },
-	{ "read_memory in a tile",
-	  WORDS(TILE_BEGIN, HEADER(READ_MEMORY, 0, 2), 0x10000, 0), GLOSS_FAULT_ORDER, 3 },
+	{ "write_memory in a tile", WORDS(TILE_BEGIN, HEADER(WRITE_MEMORY, 0, 3), WHOLE, 0, 0),
+	  GLOSS_FAULT_ORDER, 3 },
+	{ "read_memory in a tile", WORDS(TILE_BEGIN, HEADER(READ_MEMORY, 0, 2), 0x10000, 0),
+	  GLOSS_FAULT_ORDER, 3 },
 	{ "counters in a tile", WORDS(TILE_BEGIN, HEADER(COUNTERS, 0, 0)), GLOSS_FAULT_ORDER, 3 },
 	{ "tile in a tile", WORDS(TILE_BEGIN, TILE_BEGIN), GLOSS_FAULT_ORDER, 3 },
 	{ "tile_end outside", WORDS(HEADER(TILE_END, 0, 2), 0, 0), GLOSS_FAULT_ORDER, 0 },
-	{ "triangle outside", WORDS(TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, 0, 0),
-	  GLOSS_FAULT_ORDER, 0 },
+	{ "triangle outside", WORDS(TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, 0, 0), GLOSS_FAULT_ORDER,
+	  0 },
 	{ "end in a tile", WORDS(TILE_BEGIN), GLOSS_FAULT_ORDER, 3 },
 	{ "order before values", WORDS(TILE_BEGIN, HEADER(READ_MEMORY, 0, 2), 0xfff0, 1),
 	  GLOSS_FAULT_ORDER, 3 },
@@ -119,10 +119,10 @@ static const struct fault_case cases[] = {
 	  GLOSS_FAULT_VALUE, 2 },
 	{ "read_memory reserved", WORDS(HEADER(READ_MEMORY, 0, 2), 0x10000 | BIT(15), 0),
 	  GLOSS_FAULT_VALUE, 1 },
-	{ "read_memory of nothing", WORDS(HEADER(READ_MEMORY, 0, 2), WHOLE, 0),
-	  GLOSS_FAULT_VALUE, 1 },
-	{ "read_memory misaligned", WORDS(HEADER(READ_MEMORY, 0, 2), 0x10000, 1),
-	  GLOSS_FAULT_VALUE, 2 },
+	{ "read_memory of nothing", WORDS(HEADER(READ_MEMORY, 0, 2), WHOLE, 0), GLOSS_FAULT_VALUE,
+	  1 },
+	{ "read_memory misaligned", WORDS(HEADER(READ_MEMORY, 0, 2), 0x10000, 1), GLOSS_FAULT_VALUE,
+	  2 },
 	{ "colour_surface reserved", WORDS(HEADER(COLOUR_SURFACE, 0, 1), 256u << 16 | BIT(4)),
 	  GLOSS_FAULT_VALUE, 1 },
 	{ "colour_surface without pitch", WORDS(COLOUR_SURFACE(WHOLE, 0u)), GLOSS_FAULT_VALUE, 1 },
@@ -155,8 +155,8 @@ static const struct fault_case cases[] = {
 	  WORDS(HEADER(SCISSOR, 0, 1), 32u << 24, HEADER(SCISSOR, 0, 1), 33u << 24),
 	  GLOSS_FAULT_VALUE, 3, .tile_size = 32 },
 	{ "edges_wide reserved",
-	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 0, 0, 0, 0, 0, 0, BIT(16), 0, 0, 0,
-		0, 0),
+	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 0, 0, 0, 0, 0, 0, BIT(16), 0, 0, 0, 0,
+		0),
 	  GLOSS_FAULT_VALUE, 12 },
 	{ "edges_wide rows",
 	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 1u << 16 | 63u << 24, 0, 0, 0, 0, 0, 0,
@@ -182,15 +182,15 @@ static const struct fault_case cases[] = {
 		0, 0, 0),
 	  GLOSS_FAULT_VALUE, 5, .tile_size = 32 },
 	{ "depth_wide reserved",
-	  WORDS(TILE_BEGIN, TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, BIT(24), 0),
-	  GLOSS_FAULT_VALUE, 7 },
+	  WORDS(TILE_BEGIN, TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, BIT(24), 0), GLOSS_FAULT_VALUE,
+	  7 },
 	{ "depth_wide after edges",
-	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-		BIT(31), 0),
+	  WORDS(TILE_BEGIN, TRIANGLE(WIDE, FLAT) | 14, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, BIT(31),
+		0),
 	  GLOSS_FAULT_VALUE, 16 },
 	{ "colour_flat reserved",
-	  WORDS(TILE_BEGIN, TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, 0, BIT(24)),
-	  GLOSS_FAULT_VALUE, 8 },
+	  WORDS(TILE_BEGIN, TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, 0, BIT(24)), GLOSS_FAULT_VALUE,
+	  8 },
 	{ "colour_flat after alpha",
 	  WORDS(TILE_BEGIN, TRIANGLE(COMPACT, FLAT) | BIT(15) | 13, 0, 0, 0, 0, 0, 0, 0, 0, 0, ~0u,
 		~0u, ~0u, BIT(31)),
@@ -220,8 +220,8 @@ static const struct fault_case cases[] = {
 	  GLOSS_FAULT_SLOT, 3 },
 
 	/* slots */
-	{ "write without right", WORDS(HEADER(WRITE_MEMORY, 0, 3), READ, 0, 0),
-	  GLOSS_FAULT_SLOT, 2 },
+	{ "write without right", WORDS(HEADER(WRITE_MEMORY, 0, 3), READ, 0, 0), GLOSS_FAULT_SLOT,
+	  2 },
 	{ "read without right", WORDS(HEADER(READ_MEMORY, 0, 2), 0x10000 | WRITE, 0),
 	  GLOSS_FAULT_SLOT, 2 },
 	{ "empty slot", WORDS(HEADER(READ_MEMORY, 0, 2), 0x10000 | 15, 0), GLOSS_FAULT_SLOT, 2 },
@@ -235,14 +235,14 @@ static const struct fault_case cases[] = {
 	  GLOSS_FAULT_SLOT, 2 },
 	{ "write whose end wraps", WORDS(HEADER(WRITE_MEMORY, 0, 3), WHOLE, 0xfffffffc, 0),
 	  GLOSS_FAULT_SLOT, 2 },
-	{ "read whose end wraps",
-	  WORDS(HEADER(READ_MEMORY, 0, 2), 0xffff0000u | WHOLE, 0xfffffffc), GLOSS_FAULT_SLOT, 2 },
+	{ "read whose end wraps", WORDS(HEADER(READ_MEMORY, 0, 2), 0xffff0000u | WHOLE, 0xfffffffc),
+	  GLOSS_FAULT_SLOT, 2 },
 	{ "load without right",
 	  WORDS(COLOUR_SURFACE(WRITE, 256u), HEADER(TILE_BEGIN, BIT(11), 2), 0, 0),
 	  GLOSS_FAULT_SLOT, 3 },
 	{ "load four bytes past the slot",
-	  WORDS(DEPTH_SURFACE(LATE, 256u), HEADER(TILE_BEGIN, BIT(12), 2), 0, 0),
-	  GLOSS_FAULT_SLOT, 4 },
+	  WORDS(DEPTH_SURFACE(LATE, 256u), HEADER(TILE_BEGIN, BIT(12), 2), 0, 0), GLOSS_FAULT_SLOT,
+	  4 },
 	{ "load a row past the slot",
 	  WORDS(COLOUR_SURFACE(WHOLE, 256u), HEADER(TILE_BEGIN, BIT(11), 2), 256, 0),
 	  GLOSS_FAULT_SLOT, 3 },

@@ -95,8 +95,8 @@ static void random_jobs_stay_in_their_slots(void **state)
 /* Packets with random fields, so that most of them are faults of their own. */
 static void random_words_stay_in_their_slots(void **state)
 {
-	static const uint32_t opcodes[] = { 0x00, 0x01, 0x02, 0x03, 0x08, 0x09, 0x10, 0x11, 0x20,
-					    0x21, 0x22, 0x30 };
+	static const uint32_t opcodes[] = { 0x00, 0x01, 0x02, 0x03, 0x08, 0x09,
+					    0x10, 0x11, 0x20, 0x21, 0x22, 0x30 };
 	struct memory_test *t = *state;
 	uint64_t seed = test_seed();
 

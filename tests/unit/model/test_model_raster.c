@@ -28,9 +28,11 @@ static struct model_edge edge(const struct line *l)
 	int64_t n = (l->x - 8) * l->dy + (8 - l->y) * l->dx + 16 * l->dy - 1;
 	int64_t x = ceil_div(n - 16 * l->dy + 1, 16 * l->dy), step = -ceil_div(-l->dx, l->dy);
 
-	return (struct model_edge){ .x = (int32_t)x, .step = (int32_t)step,
+	return (struct model_edge){ .x = (int32_t)x,
+				    .step = (int32_t)step,
 				    .r = (uint32_t)((n - 16 * l->dy * x) / 16),
-				    .m = (uint32_t)(l->dx - step * l->dy), .dy = (uint32_t)l->dy };
+				    .m = (uint32_t)(l->dx - step * l->dy),
+				    .dy = (uint32_t)l->dy };
 }
 
 /* Small and large, up to the greatest dy that is exact. */

@@ -33,14 +33,29 @@ static void count_up(uint32_t *words)
 static void wide_fields_reach_their_extremes(void **state)
 {
 	struct gloss_edges_wide e = {
-		.left_x = -4096, .left_step = 4095, .left_r = 0xffff, .left_m = 1, .left_dy = 2,
-		.right_x = 4095, .right_step = -4096, .right_r = 3, .right_m = 0xffff,
+		.left_x = -4096,
+		.left_step = 4095,
+		.left_r = 0xffff,
+		.left_m = 1,
+		.left_dy = 2,
+		.right_x = 4095,
+		.right_step = -4096,
+		.right_r = 3,
+		.right_m = 0xffff,
 		.right_dy = 4,
-		.middle_x = -1, .middle_step = 1, .middle_r = 5, .middle_m = 6, .middle_dy = 0xffff,
-		.first_row = 20, .last_row = 43, .switch_row = 63, .side = 1,
+		.middle_x = -1,
+		.middle_step = 1,
+		.middle_r = 5,
+		.middle_m = 6,
+		.middle_dy = 0xffff,
+		.first_row = 20,
+		.last_row = 43,
+		.switch_row = 63,
+		.side = 1,
 	};
-	struct gloss_depth_wide d = { 1, 0xfffffffe, 3, .z_high = 0xff, .dx_high = 0x80,
-				      .dy_high = 0x7f };
+	struct gloss_depth_wide d = {
+		1, 0xfffffffe, 3, .z_high = 0xff, .dx_high = 0x80, .dy_high = 0x7f
+	};
 	struct gloss_triangle header = HEADER(WIDE, FLAT);
 	uint32_t words[15] = { 0 };
 	struct model_triangle t;
@@ -70,10 +85,23 @@ static void wide_fields_reach_their_extremes(void **state)
 static void compact_fields_are_extended(void **state)
 {
 	struct gloss_edges_compact e = {
-		.left_x = -128, .left_step = 127, .left_r = 1023, .left_m = 1, .left_dy = 2,
-		.right_x = 127, .right_step = -128, .right_r = 3, .right_m = 1023, .right_dy = 4,
-		.middle_x = -1, .middle_step = 1, .middle_r = 5, .middle_m = 6, .middle_dy = 1023,
-		.first_row = 63, .switch_row = 9,
+		.left_x = -128,
+		.left_step = 127,
+		.left_r = 1023,
+		.left_m = 1,
+		.left_dy = 2,
+		.right_x = 127,
+		.right_step = -128,
+		.right_r = 3,
+		.right_m = 1023,
+		.right_dy = 4,
+		.middle_x = -1,
+		.middle_step = 1,
+		.middle_r = 5,
+		.middle_m = 6,
+		.middle_dy = 1023,
+		.first_row = 63,
+		.switch_row = 9,
 	};
 	struct gloss_depth_compact d = { INT32_MIN, -1, INT32_MAX };
 	struct gloss_triangle header = HEADER(COMPACT, LINEAR);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "accel_test.h"
 
-#define SIZE 1200004u	/* several jobs' worth, and not whole packets */
+#define SIZE 1200004u /* several jobs' worth, and not whole packets */
 
 struct fixture {
 	struct messages messages;
@@ -106,7 +106,7 @@ static void random_copies_land_where_they_should(void **state)
 	for (round = 0; round < 60; round++) {
 		uint32_t offset = test_below(&seed, SIZE / 4) * 4;
 		uint32_t size = test_below(&seed, round % 4 ? 4096 : SIZE / 4) * 4;
-		uint8_t *data = bytes + round % 2;	/* not aligned, every other time */
+		uint8_t *data = bytes + round % 2; /* not aligned, every other time */
 		size_t i;
 
 		if (size > SIZE - offset)
@@ -129,9 +129,19 @@ static void a_copy_outside_or_between_words_is_refused(void **state)
 	static const struct {
 		uint64_t offset, size;
 	} wrong[] = {
-		{ 1, 4 }, { 2, 4 }, { 0, 2 }, { 0, 68 }, { 4, 64 }, { 64, 4 }, { 68, 0 },
-		{ UINT64_MAX - 3, 4 }, { UINT64_MAX - 3, 8 }, { 4, UINT64_MAX - 3 },
-		{ 1ull << 32, 4 }, { 0, 1ull << 32 }, { 1ull << 63, 1ull << 63 },
+		{ 1, 4 },
+		{ 2, 4 },
+		{ 0, 2 },
+		{ 0, 68 },
+		{ 4, 64 },
+		{ 64, 4 },
+		{ 68, 0 },
+		{ UINT64_MAX - 3, 4 },
+		{ UINT64_MAX - 3, 8 },
+		{ 4, UINT64_MAX - 3 },
+		{ 1ull << 32, 4 },
+		{ 0, 1ull << 32 },
+		{ 1ull << 63, 1ull << 63 },
 	};
 	struct fixture *fixture = *state;
 	struct accel_buffer *buffer = buffer_of(fixture, 64);

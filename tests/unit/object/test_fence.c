@@ -8,12 +8,12 @@
 /* ---- a board that answers as it is told ---- */
 
 struct board {
-	int submit, wait;		/* answers */
+	int submit, wait; /* answers */
 	int waits, memories;
-	int timeout_at;			/* the wait that is a time-out, 0: none */
-	int change_at;			/* after so many waits the status is changed; 0: never */
+	int timeout_at; /* the wait that is a time-out, 0: none */
+	int change_at;  /* after so many waits the status is changed; 0: never */
 	struct gloss_status changed;
-	int64_t timeout;		/* of the last wait */
+	int64_t timeout; /* of the last wait */
 	struct gloss_status status;
 };
 

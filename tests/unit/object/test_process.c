@@ -132,10 +132,10 @@ static void a_thread_may_be_cancelled_while_it_reads(void **state)
 /* ---- a child of fork ---- */
 
 /* 0, or the line of what went wrong. */
-#define must(condition)                                                                            \
-	do {                                                                                       \
-		if (!(condition))                                                                  \
-			return __LINE__ % 256;                                                     \
+#define must(condition)                        \
+	do {                                   \
+		if (!(condition))              \
+			return __LINE__ % 256; \
 	} while (0)
 
 static int use_all_in_child(void)

@@ -112,10 +112,11 @@ static void depth_range_is_clamped(void **state)
 	assert_float_exact(s->depth_far, 1);
 }
 
-static const struct accel_material material =
-	ACCEL_MATERIAL(.emission = { 0, 0, 0, 1 }, .ambient = { 0.1f, 0, 0, 1 },
-		       .diffuse = { 0.5f, 0, 0, 1 }, .specular = { 1, 1, 1, 1 },
-		       .shininess = 1000);
+static const struct accel_material material = ACCEL_MATERIAL(.emission = { 0, 0, 0, 1 },
+							     .ambient = { 0.1f, 0, 0, 1 },
+							     .diffuse = { 0.5f, 0, 0, 1 },
+							     .specular = { 1, 1, 1, 1 },
+							     .shininess = 1000);
 
 static void a_material_is_for_one_side_or_both(void **state)
 {
@@ -164,10 +165,11 @@ static void shininess_has_its_range(void **state)
 	assert_int_equal(accel_state_set_material(*state, &bad, NULL), -EINVAL);
 }
 
-static const struct accel_light spot =
-	ACCEL_LIGHT(.enabled = true, .position = { 1, 2, 3, 1 }, .diffuse = { 1, 1, 1, 1 },
-		    .attenuation = { 1, 0.5f, 0.25f }, .spot_direction = { 0, 0, -1 },
-		    .spot_exponent = 128, .spot_cutoff = 90);
+static const struct accel_light spot = ACCEL_LIGHT(.enabled = true, .position = { 1, 2, 3, 1 },
+						   .diffuse = { 1, 1, 1, 1 },
+						   .attenuation = { 1, 0.5f, 0.25f },
+						   .spot_direction = { 0, 0, -1 },
+						   .spot_exponent = 128, .spot_cutoff = 90);
 
 static void a_light_has_an_index(void **state)
 {
@@ -181,17 +183,17 @@ static void a_light_has_an_index(void **state)
 
 static void a_light_out_of_range_changes_nothing(void **state)
 {
-	static const struct accel_light good =
-		ACCEL_LIGHT(.position = { 0, 0, 1, 1 }, .attenuation = { 1, 0, 0 },
-			    .spot_cutoff = 180);
+	static const struct accel_light good = ACCEL_LIGHT(.position = { 0, 0, 1, 1 },
+							   .attenuation = { 1, 0, 0 },
+							   .spot_cutoff = 180);
 	struct accel_state *s = *state, before;
 	struct accel_light bad;
 
-#define refuse(field, value)                                                                       \
-	do {                                                                                       \
-		bad = good;                                                                        \
-		bad.field = (value);                                                               \
-		assert_int_equal(accel_state_set_light(s, 0, &bad), -EINVAL);                      \
+#define refuse(field, value)                                                  \
+	do {                                                                  \
+		bad = good;                                                   \
+		bad.field = (value);                                          \
+		assert_int_equal(accel_state_set_light(s, 0, &bad), -EINVAL); \
 	} while (0)
 
 	before = *s;
@@ -235,8 +237,8 @@ static void a_light_is_finite_whether_its_kind_needs_the_number_or_not(void **st
 
 	for (int n = 0; n < 3; n++) {
 		for (int i = 0; i < 3; i++) {
-			struct accel_light light =
-				ACCEL_LIGHT(.position = { 0, 0, 1, 0 }, .spot_cutoff = 180);
+			struct accel_light light = ACCEL_LIGHT(.position = { 0, 0, 1, 0 },
+							       .spot_cutoff = 180);
 
 			light.attenuation[i] = wrong[n];
 			assert_int_equal(accel_state_set_light(s, 0, &light), -EINVAL);
@@ -250,20 +252,23 @@ static void a_light_is_finite_whether_its_kind_needs_the_number_or_not(void **st
 
 static void a_directional_light_needs_no_attenuation(void **state)
 {
-	static const struct accel_light light =
-		ACCEL_LIGHT(.position = { 0, 0, 1, 0 }, .spot_cutoff = 180);
+	static const struct accel_light light = ACCEL_LIGHT(.position = { 0, 0, 1, 0 },
+							    .spot_cutoff = 180);
 
 	assert_int_equal(accel_state_set_light(*state, 0, &light), 0);
 }
 
 static void a_plain_light_needs_no_more_than_a_place_and_colours(void **state)
 {
-	static const struct accel_light plain =
-		ACCEL_LIGHT(.enabled = true, .position = { 0, 0, 1, 1 }, .diffuse = { 1, 1, 1, 1 });
-	static const struct accel_light whole =
-		ACCEL_LIGHT(.enabled = true, .position = { 0, 0, 1, 1 }, .diffuse = { 1, 1, 1, 1 },
-			    .attenuation = { 1, 0, 0 }, .spot_direction = { 0, 0, -1 },
-			    .spot_cutoff = 180);
+	static const struct accel_light plain = ACCEL_LIGHT(.enabled = true,
+							    .position = { 0, 0, 1, 1 },
+							    .diffuse = { 1, 1, 1, 1 });
+	static const struct accel_light whole = ACCEL_LIGHT(.enabled = true,
+							    .position = { 0, 0, 1, 1 },
+							    .diffuse = { 1, 1, 1, 1 },
+							    .attenuation = { 1, 0, 0 },
+							    .spot_direction = { 0, 0, -1 },
+							    .spot_cutoff = 180);
 	struct accel_state *s = *state;
 
 	assert_int_equal(accel_state_set_light(s, 2, &plain), 0);

@@ -48,7 +48,10 @@ static void a_side_out_of_range_is_refused(void **state)
 
 static void surfaces_are_padded_to_whole_tiles(void **state)
 {
-	static const int sides[][2] = { { 1, 64 }, { 63, 64 }, { 64, 64 }, { 65, 128 },
+	static const int sides[][2] = { { 1, 64 },
+					{ 63, 64 },
+					{ 64, 64 },
+					{ 65, 128 },
 					{ ACCEL_TARGET_SIZE_MAX, ACCEL_TARGET_SIZE_MAX } };
 	struct accel_target *target;
 	size_t i;
@@ -76,13 +79,13 @@ static void fill(struct accel_target *target, struct accel_buffer *buffer, uint3
 		for (x = 0; x < target->pitch / 4; x++)
 			row[x] = pixel_at(x, y, of);
 		assert_int_equal(accel_buffer_write(buffer, (uint64_t)y * target->pitch, row,
-						    target->pitch), 0);
+						    target->pitch),
+				 0);
 	}
 }
 
 /* Reads with @gap bytes between rows, which must stay as they are. */
-static void check_read(struct accel_target *target, size_t gap, uint32_t of,
-		       enum accel_plane plane)
+static void check_read(struct accel_target *target, size_t gap, uint32_t of, enum accel_plane plane)
 {
 	uint32_t x, y, width = (uint32_t)target->width, height = (uint32_t)target->height;
 	size_t pitch = width * 4 + gap, i;
@@ -108,8 +111,13 @@ static void every_pixel_is_read_at_its_place(void **state)
 	static const struct {
 		int width, height;
 		size_t gap;
-	} size[] = { { 1, 1, 0 }, { 1, 1, 4 }, { 65, 3, 8 }, { 640, 480, 0 }, { 300, 130, 20 },
-		     { ACCEL_TARGET_SIZE_MAX, 33, 4 }, { 3, ACCEL_TARGET_SIZE_MAX, 0 } };
+	} size[] = { { 1, 1, 0 },
+		     { 1, 1, 4 },
+		     { 65, 3, 8 },
+		     { 640, 480, 0 },
+		     { 300, 130, 20 },
+		     { ACCEL_TARGET_SIZE_MAX, 33, 4 },
+		     { 3, ACCEL_TARGET_SIZE_MAX, 0 } };
 	struct accel_target *target;
 	size_t i;
 
@@ -126,9 +134,9 @@ static void every_pixel_is_read_at_its_place(void **state)
 static void a_rectangle_is_read_alone(void **state)
 {
 	static const struct accel_rectangle parts[] = {
-		{ 0, 0, 300, 130 }, { 0, 0, 1, 1 }, { 299, 129, 1, 1 }, { 63, 63, 2, 3 },
-		{ 17, 0, 200, 130 }, { 0, 100, 300, 30 }, { 300, 130, 0, 0 }, { 5, 5, 0, 7 },
-		{ 5, 5, 7, 0 },
+		{ 0, 0, 300, 130 }, { 0, 0, 1, 1 },      { 299, 129, 1, 1 },
+		{ 63, 63, 2, 3 },   { 17, 0, 200, 130 }, { 0, 100, 300, 30 },
+		{ 300, 130, 0, 0 }, { 5, 5, 0, 7 },      { 5, 5, 7, 0 },
 	};
 	struct accel_target *target = target_of(*state, 300, 130);
 	static uint32_t pixels[301 * 131];
@@ -146,10 +154,10 @@ static void a_rectangle_is_read_alone(void **state)
 			uint32_t x = (uint32_t)(i % row), y = (uint32_t)(i / row);
 			bool in = x < (uint32_t)part->width && y < (uint32_t)part->height;
 
-			assert_int_equal(pixels[i], in ? pixel_at(x + (uint32_t)part->x,
-								  y + (uint32_t)part->y,
-								  n % 2 + 1) :
-							 0xeeeeeeee);
+			assert_int_equal(pixels[i],
+					 in ? pixel_at(x + (uint32_t)part->x, y + (uint32_t)part->y,
+						       n % 2 + 1) :
+					      0xeeeeeeee);
 		}
 	}
 	accel_target_free(target);
@@ -158,10 +166,19 @@ static void a_rectangle_is_read_alone(void **state)
 static void a_rectangle_beside_the_target_is_refused(void **state)
 {
 	static const struct accel_rectangle wrong[] = {
-		{ -1, 0, 1, 1 }, { 0, -1, 1, 1 }, { 10, 0, 1, 1 }, { 0, 10, 1, 1 },
-		{ 0, 0, 11, 1 }, { 0, 0, 1, 11 }, { 1, 0, 10, 1 }, { 0, 0, -1, 1 },
-		{ 0, 0, 1, -1 }, { INT32_MAX, 0, INT32_MAX, 1 }, { 1, 1, INT32_MAX, INT32_MAX },
-		{ INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN }, { 11, 0, 0, 0 },
+		{ -1, 0, 1, 1 },
+		{ 0, -1, 1, 1 },
+		{ 10, 0, 1, 1 },
+		{ 0, 10, 1, 1 },
+		{ 0, 0, 11, 1 },
+		{ 0, 0, 1, 11 },
+		{ 1, 0, 10, 1 },
+		{ 0, 0, -1, 1 },
+		{ 0, 0, 1, -1 },
+		{ INT32_MAX, 0, INT32_MAX, 1 },
+		{ 1, 1, INT32_MAX, INT32_MAX },
+		{ INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN },
+		{ 11, 0, 0, 0 },
 	};
 	struct fixture *fixture = *state;
 	struct accel_target *target = target_of(fixture, 10, 10);
@@ -169,7 +186,8 @@ static void a_rectangle_beside_the_target_is_refused(void **state)
 
 	for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++)
 		assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, &wrong[i], &pixel,
-						   1 << 20), -EINVAL);
+						   1 << 20),
+				 -EINVAL);
 	assert_message(&fixture->messages, "0 x 0 pixels at 11, 0 of a target of 10 x 10");
 	assert_int_equal(accel_target_read(target, (enum accel_plane)2, NULL, &pixel, 40), -EINVAL);
 	assert_message(&fixture->messages, "a target has no plane 2");

@@ -14,7 +14,7 @@
 #include "decode/decode.h"
 #include "model/model.h"
 
-#define STREAM_MAX	4096
+#define STREAM_MAX 4096
 
 struct stream {
 	uint32_t words[STREAM_MAX];
@@ -31,17 +31,17 @@ static uint32_t *grow(struct stream *s, size_t words)
 	return at;
 }
 
-#define PUT(s, name, ...) \
+#define PUT(s, name, ...)                                             \
 	gloss_##name##_pack(grow(s, 1 + (size_t)GLOSS_##name##_SIZE), \
 			    &(struct gloss_##name){ __VA_ARGS__ })
-#define GLOSS_colour_surface_SIZE	GLOSS_COLOUR_SURFACE_WORDS
-#define GLOSS_depth_surface_SIZE	GLOSS_DEPTH_SURFACE_WORDS
-#define GLOSS_tile_begin_SIZE		GLOSS_TILE_BEGIN_WORDS
-#define GLOSS_tile_end_SIZE		GLOSS_TILE_END_WORDS
-#define GLOSS_read_memory_SIZE		GLOSS_READ_MEMORY_WORDS
-#define GLOSS_depth_state_SIZE		GLOSS_DEPTH_STATE_WORDS
-#define GLOSS_colour_mask_SIZE		GLOSS_COLOUR_MASK_WORDS
-#define GLOSS_scissor_SIZE		GLOSS_SCISSOR_WORDS
+#define GLOSS_colour_surface_SIZE GLOSS_COLOUR_SURFACE_WORDS
+#define GLOSS_depth_surface_SIZE GLOSS_DEPTH_SURFACE_WORDS
+#define GLOSS_tile_begin_SIZE GLOSS_TILE_BEGIN_WORDS
+#define GLOSS_tile_end_SIZE GLOSS_TILE_END_WORDS
+#define GLOSS_read_memory_SIZE GLOSS_READ_MEMORY_WORDS
+#define GLOSS_depth_state_SIZE GLOSS_DEPTH_STATE_WORDS
+#define GLOSS_colour_mask_SIZE GLOSS_COLOUR_MASK_WORDS
+#define GLOSS_scissor_SIZE GLOSS_SCISSOR_WORDS
 
 /* A triangle whose payload is zero, which is valid; returns its header. */
 static uint32_t *put_triangle(struct stream *s, enum gloss_geometry geometry,
@@ -108,16 +108,15 @@ static void decode_prints_enums_flags_and_hexadecimal(void **state)
 	PUT(&s, depth_state, .func = GLOSS_COMPARE_LEQUAL, .write = true);
 	PUT(&s, tile_begin, .depth_load = false, .colour = 0xff102030, .depth = 0xffffff);
 	PUT(&s, tile_end, .colour_output = GLOSS_TILE_OUTPUT_STORE, .colour = 256);
-	assert_prints(&s,
-		      "      0  08000001  COLOUR_SURFACE\n"
-		      "      1  02000003    slot=3 pitch=512\n"
-		      "      2  20005800  DEPTH_STATE func=lequal write=yes\n"
-		      "      3  10000002  TILE_BEGIN colour_load=no depth_load=no\n"
-		      "      4  ff102030    colour=0xff102030\n"
-		      "      5  00ffffff    depth=0x00ffffff\n"
-		      "      6  11000802  TILE_END colour_output=store depth_output=drop\n"
-		      "      7  00000100    colour=0x00000100\n"
-		      "      8  00000000    depth=0x00000000\n");
+	assert_prints(&s, "      0  08000001  COLOUR_SURFACE\n"
+			  "      1  02000003    slot=3 pitch=512\n"
+			  "      2  20005800  DEPTH_STATE func=lequal write=yes\n"
+			  "      3  10000002  TILE_BEGIN colour_load=no depth_load=no\n"
+			  "      4  ff102030    colour=0xff102030\n"
+			  "      5  00ffffff    depth=0x00ffffff\n"
+			  "      6  11000802  TILE_END colour_output=store depth_output=drop\n"
+			  "      7  00000100    colour=0x00000100\n"
+			  "      8  00000000    depth=0x00000000\n");
 }
 
 static void decode_prints_signs_and_fractions(void **state)
@@ -128,33 +127,37 @@ static void decode_prints_signs_and_fractions(void **state)
 	(void)state;
 	PUT(&s, tile_begin, .colour = 0);
 	at = put_triangle(&s, GLOSS_GEOMETRY_COMPACT, GLOSS_SHADING_FLAT, true);
-	gloss_edges_compact_pack(at + 1, &(struct gloss_edges_compact){
-		.left_x = -5, .left_step = 127, .left_r = 1023, .first_row = 3, .last_row = 28 });
+	gloss_edges_compact_pack(at + 1, &(struct gloss_edges_compact){ .left_x = -5,
+									.left_step = 127,
+									.left_r = 1023,
+									.first_row = 3,
+									.last_row = 28 });
 	gloss_depth_compact_pack(at + 7, &(struct gloss_depth_compact){ 96, -1, INT32_MIN });
 	gloss_alpha_linear_pack(at + 10, &(struct gloss_alpha_linear){ 0x00600000, ~0u, 0 });
 	gloss_colour_flat_pack(at + 13, &(struct gloss_colour_flat){ 1, 2, 255 });
 	PUT(&s, tile_end, .colour = 0);
-	assert_prints(&s,
-		      "      0  10000002  TILE_BEGIN colour_load=no depth_load=no\n"
-		      "      1  00000000    colour=0x00000000\n"
-		      "      2  00000000    depth=0x00000000\n"
-		      "      3  3000880d  TRIANGLE geometry=compact shading=flat alpha_linear=yes alpha=0\n"
-		      "      4  000003ff    edges_compact: left_r=1023 left_m=0 left_dy=0\n"
-		      "      5  1c037ffb      left_x=-5 left_step=127 first_row=3 last_row=28\n"
-		      "      6  00000000      right_r=0 right_m=0 right_dy=0\n"
-		      "      7  00000000      right_x=0 right_step=0 switch_row=0 side=0\n"
-		      "      8  00000000      middle_r=0 middle_m=0 middle_dy=0\n"
-		      "      9  00000000      middle_x=0 middle_step=0\n"
-		      "     10  00000060    depth_compact: z=1.50\n"
-		      "     11  ffffffff      dx=-0.02\n"
-		      "     12  80000000      dy=-33554432.00\n"
-		      "     13  00600000    alpha_linear: a=1.5000000\n"
-		      "     14  ffffffff      a_dx=-0.0000002\n"
-		      "     15  00000000      a_dy=0.0000000\n"
-		      "     16  00ff0201    colour_flat: red=1 green=2 blue=255\n"
-		      "     17  11000002  TILE_END colour_output=drop depth_output=drop\n"
-		      "     18  00000000    colour=0x00000000\n"
-		      "     19  00000000    depth=0x00000000\n");
+	assert_prints(
+		&s,
+		"      0  10000002  TILE_BEGIN colour_load=no depth_load=no\n"
+		"      1  00000000    colour=0x00000000\n"
+		"      2  00000000    depth=0x00000000\n"
+		"      3  3000880d  TRIANGLE geometry=compact shading=flat alpha_linear=yes alpha=0\n"
+		"      4  000003ff    edges_compact: left_r=1023 left_m=0 left_dy=0\n"
+		"      5  1c037ffb      left_x=-5 left_step=127 first_row=3 last_row=28\n"
+		"      6  00000000      right_r=0 right_m=0 right_dy=0\n"
+		"      7  00000000      right_x=0 right_step=0 switch_row=0 side=0\n"
+		"      8  00000000      middle_r=0 middle_m=0 middle_dy=0\n"
+		"      9  00000000      middle_x=0 middle_step=0\n"
+		"     10  00000060    depth_compact: z=1.50\n"
+		"     11  ffffffff      dx=-0.02\n"
+		"     12  80000000      dy=-33554432.00\n"
+		"     13  00600000    alpha_linear: a=1.5000000\n"
+		"     14  ffffffff      a_dx=-0.0000002\n"
+		"     15  00000000      a_dy=0.0000000\n"
+		"     16  00ff0201    colour_flat: red=1 green=2 blue=255\n"
+		"     17  11000002  TILE_END colour_output=drop depth_output=drop\n"
+		"     18  00000000    colour=0x00000000\n"
+		"     19  00000000    depth=0x00000000\n");
 }
 
 static void decode_prints_a_number_of_two_words_whole(void **state)
@@ -166,8 +169,11 @@ static void decode_prints_a_number_of_two_words_whole(void **state)
 	(void)state;
 	PUT(&s, tile_begin, .colour = 0);
 	at = put_triangle(&s, GLOSS_GEOMETRY_COVERING, GLOSS_SHADING_FLAT, false);
-	gloss_depth_wide_pack(at + 1, &(struct gloss_depth_wide){
-		.z = 0x800, .z_high = 1, .dx = 0xfffff800, .dx_high = 0xff, .dy_high = 0x80 });
+	gloss_depth_wide_pack(at + 1, &(struct gloss_depth_wide){ .z = 0x800,
+								  .z_high = 1,
+								  .dx = 0xfffff800,
+								  .dx_high = 0xff,
+								  .dy_high = 0x80 });
 	text = print_all(&s, 0);
 	assert_non_null(strstr(text, " z=1048576.5000\n"));
 	assert_non_null(strstr(text, " dx=-0.5000\n"));
@@ -184,12 +190,13 @@ static void decode_prints_data_in_rows(void **state)
 	(void)state;
 	at[3] = 7;
 	at[11] = 0xdeadbeef;
-	assert_prints(&s,
-		      "      0  0100000b  WRITE_MEMORY\n"
-		      "      1  00000001    slot=1\n"
-		      "      2  00000008    offset=0x00000008\n"
-		      "      3  00000007 00000000 00000000 00000000 00000000 00000000 00000000 00000000\n"
-		      "     11  deadbeef\n");
+	assert_prints(
+		&s,
+		"      0  0100000b  WRITE_MEMORY\n"
+		"      1  00000001    slot=1\n"
+		"      2  00000008    offset=0x00000008\n"
+		"      3  00000007 00000000 00000000 00000000 00000000 00000000 00000000 00000000\n"
+		"     11  deadbeef\n");
 }
 
 static void decode_prints_a_broken_packet_up_to_its_fault(void **state)
@@ -198,10 +205,9 @@ static void decode_prints_a_broken_packet_up_to_its_fault(void **state)
 
 	(void)state;
 	PUT(&s, read_memory, .slot = 1, .count = 0, .offset = 3);
-	assert_prints(&s,
-		      "      0  02000002  READ_MEMORY\n"
-		      "      1  00000001    slot=1 count=0\n"
-		      "fault VALUE at word 1: count is 0, not 1 to 65535\n");
+	assert_prints(&s, "      0  02000002  READ_MEMORY\n"
+			  "      1  00000001    slot=1 count=0\n"
+			  "fault VALUE at word 1: count is 0, not 1 to 65535\n");
 }
 
 /* ---- faults ---- */
@@ -345,7 +351,7 @@ static void decode_reports_the_first_of_several_faults(void **state)
 	assert_fault(&s, LENGTH, 3);
 	s.count++;
 	assert_fault(&s, ORDER, 3);
-	s.words[0] = 2;		/* a NOP */
+	s.words[0] = 2; /* a NOP */
 	assert_fault(&s, VALUE, 4);
 }
 
@@ -407,7 +413,7 @@ static void put_random_triangle(struct stream *s)
 	at[0] |= below(256) << 16;
 	if (geometry != GLOSS_GEOMETRY_COVERING)
 		at[rows_word] = below(40) << 16 | below(40) << 24;
-	at[s->words + s->count - at - 1] = any() & 0xffffff;	/* a colour of any shading */
+	at[s->words + s->count - at - 1] = any() & 0xffffff; /* a colour of any shading */
 }
 
 /* Mostly in order, mostly valid for a tile of 32. */
@@ -477,15 +483,16 @@ static void put_random_stream(struct stream *s)
 		s->count = below((uint32_t)s->count + 1);
 }
 
-#define MEMORY_SIZE	65536
-#define RESPONSE_WORDS	65536
+#define MEMORY_SIZE 65536
+#define RESPONSE_WORDS 65536
 
 static void decode_agrees_with_the_model_on_random_streams(void **state)
 {
 	static uint32_t memory[MEMORY_SIZE / 4], response[RESPONSE_WORDS];
 	static struct model model;
 	static struct stream s;
-	struct accel_job job = { .stream = s.words, .response = response,
+	struct accel_job job = { .stream = s.words,
+				 .response = response,
 				 .response_words = RESPONSE_WORDS };
 	unsigned int found[8] = { 0 };
 	struct gloss_status status;

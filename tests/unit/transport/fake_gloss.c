@@ -101,8 +101,8 @@ static int gem_create(struct file *file, struct drm_gloss_gem_create *create)
 	struct object *o;
 	uint32_t handle = 0;
 
-	if (create->kind > DRM_GLOSS_GEM_BOARD || create->flags || create->pad ||
-	    create->handle || !create->size || create->size > 1ull << 32)
+	if (create->kind > DRM_GLOSS_GEM_BOARD || create->flags || create->pad || create->handle ||
+	    !create->size || create->size > 1ull << 32)
 		return -EINVAL;
 	fake_gloss.creates++;
 	while (handle < OBJECTS && file->handle[handle])
@@ -180,7 +180,8 @@ static int syncobj_wait(struct file *file, const struct drm_syncobj_timeline_wai
 		return -EINVAL;
 	fake_gloss.waits++;
 	while (syncobj->signalled < *point)
-		if (wait->timeout_nsec < 0 || pthread_cond_timedwait(&fake.changed, &fake.lock, &deadline) == ETIMEDOUT)
+		if (wait->timeout_nsec < 0 ||
+		    pthread_cond_timedwait(&fake.changed, &fake.lock, &deadline) == ETIMEDOUT)
 			return syncobj->signalled < *point ? -ETIME : 0;
 	return 0;
 }
@@ -215,7 +216,12 @@ static int get_clocks(struct drm_gloss_get_clocks *clocks)
 	if (!fake_gloss.has_clock)
 		return -EOPNOTSUPP;
 	*clocks = (struct drm_gloss_get_clocks){
-		.clocks = 1ull << 40, 2, 3, 4, 5, 6,
+		.clocks = 1ull << 40,
+		2,
+		3,
+		4,
+		5,
+		6,
 	};
 	return 0;
 }

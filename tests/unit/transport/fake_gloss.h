@@ -19,8 +19,8 @@
 /* A node in /dev/dri: renderD128 and so on, in this order. */
 struct fake_node {
 	bool present;
-	int open_error;			/* errno of open(); 0: it opens */
-	unsigned int mode, group;	/* what stat() tells */
+	int open_error;           /* errno of open(); 0: it opens */
+	unsigned int mode, group; /* what stat() tells */
 	const char *driver;
 };
 
@@ -35,11 +35,11 @@ struct fake_gloss {
 	unsigned int fail_at, fail_request;
 	int fail_errno;
 
-	unsigned int ioctls, submits, creates, waits;	/* calls so far */
-	unsigned int opened;		/* of all opens, the number of the last node */
-	unsigned int files, handles, syncobjs;	/* that are there now */
-	unsigned int left;		/* handles and syncobjs that were there when files closed */
-	uint64_t host_bytes;		/* of host objects that have a handle */
+	unsigned int ioctls, submits, creates, waits; /* calls so far */
+	unsigned int opened;                   /* of all opens, the number of the last node */
+	unsigned int files, handles, syncobjs; /* that are there now */
+	unsigned int left;   /* handles and syncobjs that were there when files closed */
+	uint64_t host_bytes; /* of host objects that have a handle */
 };
 
 extern struct fake_gloss fake_gloss;

@@ -7,10 +7,10 @@
 #include "fake_gloss_priv.h"
 
 #define JOBS 1024u
-#define JOB_OBJECTS (3 + GLOSS_SLOTS)	/* stream, response, status, slots */
+#define JOB_OBJECTS (3 + GLOSS_SLOTS) /* stream, response, status, slots */
 
 struct job {
-	struct object *object[JOB_OBJECTS];	/* a use each; NULL: none */
+	struct object *object[JOB_OBJECTS]; /* a use each; NULL: none */
 	struct accel_job job;
 	struct drm_gloss_status *status;
 	struct syncobj *syncobj;
@@ -20,7 +20,7 @@ struct job {
 static pthread_t thread;
 static struct model model;
 static struct job jobs[JOBS];
-static unsigned int jobs_ended, jobs_queued;	/* counts */
+static unsigned int jobs_ended, jobs_queued; /* counts */
 static bool stopping;
 
 /* A range of a host object for a job; @bytes 0: none, and then nothing may be given. */
@@ -34,7 +34,9 @@ static int submit_host(const struct file *file, uint32_t handle, uint64_t offset
 	if (!*o)
 		return -ENOENT;
 	return (*o)->kind != DRM_GLOSS_GEM_HOST || offset % align || offset > (*o)->size ||
-	       bytes > (*o)->size - offset ? -EINVAL : 0;
+			       bytes > (*o)->size - offset ?
+		       -EINVAL :
+		       0;
 }
 
 static int submit_slot(const struct file *file, const struct drm_gloss_slot *from,
@@ -122,10 +124,11 @@ int fake_job_submit(struct file *file, const struct drm_gloss_submit *submit)
 	job->job.stream_words = submit->stream_words;
 	job->job.response_words = submit->response_words;
 	if (job->object[0])
-		job->job.stream = (void *)(fake.host + job->object[0]->base + submit->stream_offset);
+		job->job.stream = (void *)(fake.host + job->object[0]->base +
+					   submit->stream_offset);
 	if (job->object[1])
-		job->job.response =
-			(void *)(fake.host + job->object[1]->base + submit->response_offset);
+		job->job.response = (void *)(fake.host + job->object[1]->base +
+					     submit->response_offset);
 	job->status = (void *)(fake.host + job->object[2]->base + submit->status_offset);
 	for (unsigned int i = 0; i < JOB_OBJECTS; i++)
 		if (job->object[i])
@@ -138,7 +141,6 @@ int fake_job_submit(struct file *file, const struct drm_gloss_submit *submit)
 }
 
 /* ---- running them ---- */
-
 
 static void job_end(struct job *job, const struct drm_gloss_status *status)
 {

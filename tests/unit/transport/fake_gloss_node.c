@@ -38,8 +38,8 @@ static int node_find(const char *path)
 	if (strncmp(path, "/dev/dri/", strlen("/dev/dri/")) != 0)
 		return -1;
 	path = strrchr(path, '/');
-	if (sscanf(path, "/renderD%u%n", &number, &length) != 1 || path[length] ||
-	    number < 128 || number >= 128 + FAKE_NODES)
+	if (sscanf(path, "/renderD%u%n", &number, &length) != 1 || path[length] || number < 128 ||
+	    number >= 128 + FAKE_NODES)
 		return -1;
 	return (int)number - 128;
 }

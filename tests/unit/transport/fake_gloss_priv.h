@@ -18,7 +18,7 @@
 
 /* Bytes of the memfd that is mapped at fake.host, or of fake.board. */
 struct object {
-	unsigned int uses;		/* handles and jobs; 0: not there */
+	unsigned int uses; /* handles and jobs; 0: not there */
 	uint32_t kind;
 	uint64_t base, size;
 };
@@ -29,15 +29,15 @@ struct syncobj {
 };
 
 struct file {
-	int fd;				/* 0: not open */
+	int fd; /* 0: not open */
 	unsigned int node;
-	struct object *handle[OBJECTS];	/* handle h is the entry before h */
+	struct object *handle[OBJECTS]; /* handle h is the entry before h */
 	struct syncobj syncobj[SYNCOBJS];
 };
 
 struct fake_state {
-	pthread_mutex_t lock;		/* protects what follows, and fake_gloss */
-	pthread_cond_t changed;		/* a job came, or ended, or what the test set */
+	pthread_mutex_t lock;   /* protects what follows, and fake_gloss */
+	pthread_cond_t changed; /* a job came, or ended, or what the test set */
 	int host_fd;
 	uint8_t *host;
 	uint8_t board[FAKE_BOARD_BYTES] __attribute__((aligned(4096)));

@@ -18,7 +18,7 @@ struct board {
 	pthread_cond_t changed;
 	int allowed, ran;
 	uint32_t order[64];
-	int error;			/* of the next jobs */
+	int error; /* of the next jobs */
 };
 
 static int board_run(void *data, const struct accel_job *job, struct gloss_status *status)
@@ -213,7 +213,10 @@ static void a_slot_is_as_large_as_was_asked_for(void **state)
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ };
 	uint32_t response;
 	struct accel_transport_job job = {
-		.slot = &slot, .slots = 1, .response = &response, .response_words = 1,
+		.slot = &slot,
+		.slots = 1,
+		.response = &response,
+		.response_words = 1,
 	};
 	struct gloss_status status;
 	struct board *board = *state;

@@ -10,9 +10,25 @@
 
 /* What the core does wrong, as there. */
 enum {
-	NOTHING, HANG, AR_CROSS, AW_CROSS, LAST_EARLY, LAST_NEVER, AW_CHANGE, AW_DROP, W_CHANGE,
-	AR_CHANGE, RESPONSE_CHANGE, STATUS_CHANGE, COUNT_NONE, COUNT_MORE, STATUS_FEWER,
-	STREAM_LEFT, WRITE_LEFT, READ_EARLY, BYTES = 256
+	NOTHING,
+	HANG,
+	AR_CROSS,
+	AW_CROSS,
+	LAST_EARLY,
+	LAST_NEVER,
+	AW_CHANGE,
+	AW_DROP,
+	W_CHANGE,
+	AR_CHANGE,
+	RESPONSE_CHANGE,
+	STATUS_CHANGE,
+	COUNT_NONE,
+	COUNT_MORE,
+	STATUS_FEWER,
+	STREAM_LEFT,
+	WRITE_LEFT,
+	READ_EARLY,
+	BYTES = 256
 };
 
 static const struct gloss_sim_ops *ops;
@@ -44,8 +60,10 @@ static int run(uint32_t wrong, uint32_t base, uint32_t response_words, uint64_t 
 {
 	const uint32_t stream[] = { wrong, 11, 12 };
 	const struct accel_job job = {
-		.stream = stream, .stream_words = 3,
-		.response = response, .response_words = response_words,
+		.stream = stream,
+		.stream_words = 3,
+		.response = response,
+		.response_words = response_words,
 		.slot = { { .base = base, .size = 4096, .rights = GLOSS_RIGHTS_READ_WRITE } },
 	};
 

@@ -56,7 +56,8 @@ static void assert_opens(const char *name, unsigned int node)
 
 static void add_node(unsigned int node, const char *driver)
 {
-	fake_gloss.node[node] = (struct fake_node){ .present = true, .mode = 0660,
+	fake_gloss.node[node] = (struct fake_node){ .present = true,
+						    .mode = 0660,
 						    .driver = driver };
 }
 
@@ -232,11 +233,13 @@ static void a_module_that_answers_otherwise_is_refused(void **state)
 			fake_gloss.fail_errno = errors[i];
 			err = open_name("drm:", &device);
 			assert_int_equal(err, errors[i] == ENOMEM ? -ENOMEM : -ENODEV);
-			assert_message(&messages, call > 2 ? "/dev/dri/renderD128 does not answer "
-							     "as a gloss module of this version" :
+			assert_message(&messages,
+				       call > 2       ? "/dev/dri/renderD128 does not answer "
+							"as a gloss module of this version" :
 				       err == -ENOMEM ? "Cannot allocate memory" :
-				       errors[i] == ENODEV ? "the board of /dev/dri/renderD128 is gone" :
-				       "/dev/dri/renderD128 is no DRM node");
+				       errors[i] == ENODEV ?
+							"the board of /dev/dri/renderD128 is gone" :
+							"/dev/dri/renderD128 is no DRM node");
 			assert_int_equal(fake_gloss.fail_at, 0);
 			assert_int_equal(fake_gloss.files, 0);
 		}

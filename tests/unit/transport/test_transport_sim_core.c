@@ -62,11 +62,12 @@ static void compare(struct side *sim, struct side *model, const uint32_t *words,
 static size_t random_packet(uint64_t *seed, uint32_t *words)
 {
 	const struct gloss_tile_begin begin = {
-		.colour = (uint32_t)test_random(seed), .depth = (uint32_t)test_random(seed),
+		.colour = (uint32_t)test_random(seed),
+		.depth = (uint32_t)test_random(seed),
 	};
 	const struct gloss_tile_end end = {
-		.colour_output = test_below(seed, 8) ? GLOSS_TILE_OUTPUT_DROP
-						     : GLOSS_TILE_OUTPUT_ANSWER,
+		.colour_output = test_below(seed, 8) ? GLOSS_TILE_OUTPUT_DROP :
+						       GLOSS_TILE_OUTPUT_ANSWER,
 	};
 	uint32_t slot = test_below(seed, 200) == 0, count = 1 + test_below(seed, 40), i;
 	uint32_t offset = test_below(seed, WORDS - 40 + (test_below(seed, 100) == 0) * 60) * 4;

@@ -86,8 +86,10 @@ static void the_stream_and_the_slots_are_the_callers_again(void **state)
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ_WRITE };
 	uint32_t stream[4], response = 0;
 	struct accel_transport_job job = {
-		.stream = stream, .stream_words = (uint32_t)packet_write(stream, 0, 0, 1234),
-		.slot = &slot, .slots = 1,
+		.stream = stream,
+		.stream_words = (uint32_t)packet_write(stream, 0, 0, 1234),
+		.slot = &slot,
+		.slots = 1,
 	};
 	struct gloss_status status;
 	uint64_t sequence;
@@ -223,8 +225,7 @@ static void memory_that_no_job_uses_is_not_cleared(void **state)
 
 	assert_int_equal(ops->memory_new(*state, 1 << 20, &object), 0);
 	run_empty(*state);
-	assert_int_equal(fake_usb.out_words - words,
-			 GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS);
+	assert_int_equal(fake_usb.out_words - words, GLOSS_USB_JOB_WORDS + GLOSS_USB_JOB_END_WORDS);
 	ops->memory_free(*state, object);
 }
 

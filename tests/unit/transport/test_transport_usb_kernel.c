@@ -67,8 +67,10 @@ static void a_submit_that_is_refused_memory_once_fails_no_job(void **state)
 
 static void a_board_works_with_little_memory(void **state)
 {
-	static const size_t limits[] = { 4 << 20, 2 << 20, 1 << 20, (1 << 20) + 100, 600000,
-					 300000, 132000, 100000, 66000, 65536, 40000, 33000 };
+	static const size_t limits[] = {
+		4 << 20, 2 << 20, 1 << 20, (1 << 20) + 100, 600000, 300000,
+		132000,  100000,  66000,   65536,           40000,  33000
+	};
 
 	for (size_t i = 0; i < sizeof(limits) / sizeof(limits[0]); i++) {
 		accel_device_free(*state);

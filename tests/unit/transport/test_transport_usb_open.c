@@ -98,8 +98,8 @@ static void a_serial_number_that_does_not_fit_is_left_out(void **state)
 static void a_board_opens_by_every_name(void **state)
 {
 	static const char *const names[] = {
-		"usb", "usb:", "usb:1209:0001", "usb:1209:1", "usb:/VIRTUAL0",
-		"usb:1209:0001/VIRTUAL0",
+		"usb",        "usb:",          "usb:1209:0001",
+		"usb:1209:1", "usb:/VIRTUAL0", "usb:1209:0001/VIRTUAL0",
 	};
 
 	(void)state;
@@ -186,10 +186,11 @@ static void two_boards_work_at_once(void **state)
 static void what_is_no_name_is_refused(void **state)
 {
 	static const char *const names[] = {
-		"usb:1209", "usb:1209:", "usb::0001", "usb:/", "usb:1209:0001/", "usb:12090:1",
-		"usb:1209:00001", "usb:0x1209:1", "usb:1209:0001:1", "usb:1209/A", "usb:tile=32",
-		"usb: ", "usb:1209:0001 ", "usb:1-", "usb:-1", "usb:1-2.", "usb:1-2 ", "usb:1-2.3-4",
-		"usb:1-a", "usb:1209:0001@1-2",
+		"usb:1209",        "usb:1209:",   "usb::0001",      "usb:/",
+		"usb:1209:0001/",  "usb:12090:1", "usb:1209:00001", "usb:0x1209:1",
+		"usb:1209:0001:1", "usb:1209/A",  "usb:tile=32",    "usb: ",
+		"usb:1209:0001 ",  "usb:1-",      "usb:-1",         "usb:1-2.",
+		"usb:1-2 ",        "usb:1-2.3-4", "usb:1-a",        "usb:1209:0001@1-2",
 	};
 
 	(void)state;
@@ -201,8 +202,9 @@ static void what_is_no_name_is_refused(void **state)
 static void no_board_is_said_with_what_to_do(void **state)
 {
 	(void)state;
-	assert_refused("usb:/OTHER", -ENODEV, "there is no board usb:1209:0001/OTHER; gloss-info "
-					      "--list shows those that are there");
+	assert_refused("usb:/OTHER", -ENODEV,
+		       "there is no board usb:1209:0001/OTHER; gloss-info "
+		       "--list shows those that are there");
 	fake_usb_unplug(0);
 	assert_refused("usb:", -ENODEV,
 		       "no Gloss board 1209:0001 on USB; lsusb shows what is plugged in");
@@ -248,17 +250,35 @@ static void another_device_with_the_same_ids_is_let_alone(void **state)
 	(void)state;
 	for (unsigned int n = 0; n < 9; n++) {
 		*board = good;
-		board->open_error = LIBUSB_ERROR_OTHER;	/* it is not even opened */
+		board->open_error = LIBUSB_ERROR_OTHER; /* it is not even opened */
 		switch (n) {
-		case 0: board->interface_class = 3; break;
-		case 1: board->interface_subclass++; break;
-		case 2: board->interface_protocol++; break;
-		case 3: board->interfaces = 0; break;
-		case 4: board->endpoints = 2; break;
-		case 5: board->endpoint[0].address = 2; break;
-		case 6: board->endpoint[1].attributes = LIBUSB_TRANSFER_TYPE_INTERRUPT; break;
-		case 7: board->endpoint[2].attributes = LIBUSB_TRANSFER_TYPE_BULK; break;
-		default: board->vendor++; break;
+		case 0:
+			board->interface_class = 3;
+			break;
+		case 1:
+			board->interface_subclass++;
+			break;
+		case 2:
+			board->interface_protocol++;
+			break;
+		case 3:
+			board->interfaces = 0;
+			break;
+		case 4:
+			board->endpoints = 2;
+			break;
+		case 5:
+			board->endpoint[0].address = 2;
+			break;
+		case 6:
+			board->endpoint[1].attributes = LIBUSB_TRANSFER_TYPE_INTERRUPT;
+			break;
+		case 7:
+			board->endpoint[2].attributes = LIBUSB_TRANSFER_TYPE_BULK;
+			break;
+		default:
+			board->vendor++;
+			break;
 		}
 		assert_refused("usb:", -ENODEV, "no Gloss board 1209:0001 on USB");
 	}
@@ -374,7 +394,9 @@ static void a_serial_number_that_can_not_be_read_is_done_without(void **state)
 static void an_error_that_passes_does_not_matter(void **state)
 {
 	static const char *const functions[] = {
-		"libusb_submit_transfer", "libusb_handle_events", "libusb_cancel_transfer",
+		"libusb_submit_transfer",
+		"libusb_handle_events",
+		"libusb_cancel_transfer",
 		"libusb_release_interface",
 	};
 
@@ -416,7 +438,8 @@ static void every_board_is_listed_with_what_it_is_or_why_not(void **state)
 	assert_int_equal(accel_device_list(list_take, &listed), 0);
 	assert_int_equal(listed.count, 3);
 	assert_int_equal(strncmp(listed.text, "usb:1209:0001/A|Gloss USB board /dev/bus/usb/001/",
-				 49), 0);
+				 49),
+			 0);
 	assert_non_null(strstr(listed.text, ", super speed\n"));
 	second = strchr(listed.text, '\n') + 1;
 	assert_int_equal(strncmp(second, "usb:1209:0001|not permitted: /dev/bus/usb/001/", 45), 0);

@@ -14,13 +14,13 @@
 
 /* Set while the board is looked at by the thread of the link. */
 static struct {
-	_Atomic uint32_t progress, step;	/* of PROGRESS, at each read */
-	_Atomic unsigned int reads;	/* of it; before so many the board takes nothing */
+	_Atomic uint32_t progress, step; /* of PROGRESS, at each read */
+	_Atomic unsigned int reads;      /* of it; before so many the board takes nothing */
 	_Atomic unsigned int reads_to_work;
-	_Atomic unsigned int completions;	/* yet to come before one is a fault */
-	_Atomic uint32_t forged[GLOSS_USB_COMPLETION_WORDS];	/* to come before all others */
-	unsigned int left;		/* words yet to come of the completion that is a fault */
-	uint32_t checksum;		/* of those before them: its job has no response */
+	_Atomic unsigned int completions;                    /* yet to come before one is a fault */
+	_Atomic uint32_t forged[GLOSS_USB_COMPLETION_WORDS]; /* to come before all others */
+	unsigned int left; /* words yet to come of the completion that is a fault */
+	uint32_t checksum; /* of those before them: its job has no response */
 } odd;
 
 static uint32_t odd_read(struct gloss_usb_board *board, uint32_t offset)
@@ -105,8 +105,9 @@ static void write_words(void *state, uint64_t object)
 {
 	const struct accel_transport_slot slot = { object, GLOSS_RIGHTS_WRITE };
 	uint32_t stream[3 + 1000];
-	const struct accel_transport_job job = { .stream = stream, .stream_words = 3 + 1000,
-						 .slot = &slot, .slots = 1 };
+	const struct accel_transport_job job = {
+		.stream = stream, .stream_words = 3 + 1000, .slot = &slot, .slots = 1
+	};
 	struct gloss_status status;
 
 	for (uint32_t at = 0; at < WORDS; at += 1000) {
@@ -162,9 +163,9 @@ static void a_job_that_fails_is_told_and_the_next_is_right(void **state)
 		enum fake_usb_fault fault;
 		uint32_t value;
 	} faults[] = {
-		{ FAKE_USB_STALL_OUT, 0 }, { FAKE_USB_STALL_IN, 0 }, { FAKE_USB_ERROR_OUT, 0 },
-		{ FAKE_USB_ERROR_IN, 0 }, { FAKE_USB_OVERFLOW_IN, 0 }, { FAKE_USB_LOSE_OUT, 0 },
-		{ FAKE_USB_LOSE_IN, 0 }, { FAKE_USB_REPEAT_IN, 0 }, { FAKE_USB_ODD_IN, 0 },
+		{ FAKE_USB_STALL_OUT, 0 },   { FAKE_USB_STALL_IN, 0 },    { FAKE_USB_ERROR_OUT, 0 },
+		{ FAKE_USB_ERROR_IN, 0 },    { FAKE_USB_OVERFLOW_IN, 0 }, { FAKE_USB_LOSE_OUT, 0 },
+		{ FAKE_USB_LOSE_IN, 0 },     { FAKE_USB_REPEAT_IN, 0 },   { FAKE_USB_ODD_IN, 0 },
 		{ FAKE_USB_GARBAGE_IN, 15 }, { FAKE_USB_GARBAGE_OUT, 0 }, { FAKE_USB_HANG_IN, 0 },
 		{ FAKE_USB_HANG_OUT, 0 },
 	};
@@ -194,8 +195,9 @@ static void a_wrong_word_anywhere_is_found(void **state)
 {
 	const uint64_t out_words = GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS + 3 +
 				   GLOSS_USB_JOB_END_WORDS;
-	const uint64_t in_words = WORDS + (WORDS + GLOSS_USB_CHUNK_WORDS - 1) /
-				  GLOSS_USB_CHUNK_WORDS + GLOSS_USB_COMPLETION_WORDS;
+	const uint64_t in_words = WORDS +
+				  (WORDS + GLOSS_USB_CHUNK_WORDS - 1) / GLOSS_USB_CHUNK_WORDS +
+				  GLOSS_USB_COMPLETION_WORDS;
 	uint64_t object = object_with_words(*state), seed = test_seed();
 
 	for (uint64_t at = 1; at <= out_words; at++)
@@ -211,8 +213,9 @@ static void a_wrong_word_to_be_written_is_found(void **state)
 {
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_WRITE };
 	uint32_t stream[3 + WORDS / 3] = { 0 };
-	const struct accel_transport_job job = { .stream = stream, .stream_words = 3 + WORDS / 3,
-						 .slot = &slot, .slots = 1 };
+	const struct accel_transport_job job = {
+		.stream = stream, .stream_words = 3 + WORDS / 3, .slot = &slot, .slots = 1
+	};
 	const uint64_t before = GLOSS_USB_JOB_WORDS + GLOSS_SLOT_ENTRY_WORDS + 3;
 	uint64_t seed = test_seed();
 	struct gloss_status status;
@@ -220,8 +223,7 @@ static void a_wrong_word_to_be_written_is_found(void **state)
 	gloss_write_memory_pack(stream, &(struct gloss_write_memory){ .slot = 0 }, 2 + WORDS / 3);
 	slot.object = object_with_words(*state);
 	for (int n = 0; n < 50; n++) {
-		fake_usb_arm(0, FAKE_USB_GARBAGE_OUT,
-			     before + 1 + test_below(&seed, WORDS / 3), 0);
+		fake_usb_arm(0, FAKE_USB_GARBAGE_OUT, before + 1 + test_below(&seed, WORDS / 3), 0);
 		assert_int_equal(wait_for(*state, submit(*state, &job), &status), -EIO);
 		run(*state, &job, &status);
 		assert_int_equal(status.cause, GLOSS_FAULT_NONE);
@@ -235,9 +237,9 @@ static void what_the_protocol_allows_is_no_failure(void **state)
 		enum fake_usb_fault fault;
 		uint32_t value;
 	} faults[] = {
-		{ FAKE_USB_SHORT_IN, 0 }, { FAKE_USB_EMPTY_IN, 1 }, { FAKE_USB_EMPTY_IN, 100 },
-		{ FAKE_USB_STALL_EVENT, 0 }, { FAKE_USB_GARBAGE_EVENT, 0 },
-		{ FAKE_USB_DELAY, 300000 },
+		{ FAKE_USB_SHORT_IN, 0 },      { FAKE_USB_EMPTY_IN, 1 },
+		{ FAKE_USB_EMPTY_IN, 100 },    { FAKE_USB_STALL_EVENT, 0 },
+		{ FAKE_USB_GARBAGE_EVENT, 0 }, { FAKE_USB_DELAY, 300000 },
 	};
 	uint64_t object = object_with_words(*state);
 
@@ -429,8 +431,12 @@ static void *read_in_thread(void *data)
 	const struct accel_transport_slot slot = { submitter->object, GLOSS_RIGHTS_READ };
 	uint32_t stream[3];
 	const struct accel_transport_job job = {
-		.stream = stream, .stream_words = (uint32_t)packet_read(stream, 0, 0, WORDS),
-		.response = submitter->words, .response_words = WORDS, .slot = &slot, .slots = 1,
+		.stream = stream,
+		.stream_words = (uint32_t)packet_read(stream, 0, 0, WORDS),
+		.response = submitter->words,
+		.response_words = WORDS,
+		.slot = &slot,
+		.slots = 1,
 	};
 	struct gloss_status status;
 	uint64_t sequence;
@@ -449,7 +455,8 @@ static void memory_is_cleared_for_a_job_that_was_not_yet_queued(void **state)
 	uint32_t *stream = calloc(words, 4);
 	struct submitter submitter = { .state = *state };
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ };
-	struct accel_transport_job job = { .stream = stream, .stream_words = words / 4,
+	struct accel_transport_job job = { .stream = stream,
+					   .stream_words = words / 4,
 					   .slot = &slot };
 	struct gloss_status status;
 	uint64_t sequence[2];
@@ -457,7 +464,7 @@ static void memory_is_cleared_for_a_job_that_was_not_yet_queued(void **state)
 	assert_int_equal(ops->memory_new(*state, 4 * WORDS, &submitter.object), 0);
 	slot.object = submitter.object;
 	fake_usb_hold();
-	sequence[0] = submit(*state, &job);	/* keeps the cable busy */
+	sequence[0] = submit(*state, &job); /* keeps the cable busy */
 	job.slots = 1;
 	job.stream_words = words;
 	sequence[1] = submit(*state, &job);
@@ -519,10 +526,11 @@ static void a_job_can_not_end_before_it_is_sent(void **state)
 	fake_usb_hold();
 	sequence = submit(*state, &job);
 	gloss_usb_completion_pack(forged, &(struct gloss_usb_completion){
-		.mark = GLOSS_USB_COMPLETION_MAGIC, .sequence = (uint32_t)sequence,
-		.offset = words });
-	forged[GLOSS_USB_COMPLETION_CHECKSUM_WORD] =
-		accel_usb_checksum(0, forged, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
+						  .mark = GLOSS_USB_COMPLETION_MAGIC,
+						  .sequence = (uint32_t)sequence,
+						  .offset = words });
+	forged[GLOSS_USB_COMPLETION_CHECKSUM_WORD] = accel_usb_checksum(
+		0, forged, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
 	for (int i = GLOSS_USB_COMPLETION_WORDS - 1; i >= 0; i--)
 		odd.forged[i] = forged[i];
 	fake_usb_release();
@@ -585,7 +593,8 @@ static void a_board_that_does_not_start_again_is_gone(void **state)
 		enum fake_usb_fault fault;
 		uint32_t value;
 	} faults[] = {
-		{ FAKE_USB_REFUSE_CONTROL, 1000 }, { FAKE_USB_HANG_CONTROL, 1000 },
+		{ FAKE_USB_REFUSE_CONTROL, 1000 },
+		{ FAKE_USB_HANG_CONTROL, 1000 },
 		{ FAKE_USB_RESET_LASTS, UINT32_MAX },
 	};
 	struct waiter waiter[4];

@@ -145,8 +145,10 @@ static void memory_may_go_while_it_is_being_cleared(void **state)
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_WRITE };
 	uint32_t stream[4], words[1024];
 	const struct accel_transport_job job = {
-		.stream = stream, .stream_words = (uint32_t)packet_write(stream, 0, 0, 7),
-		.slot = &slot, .slots = 1,
+		.stream = stream,
+		.stream_words = (uint32_t)packet_write(stream, 0, 0, 7),
+		.slot = &slot,
+		.slots = 1,
 	};
 	struct gloss_status status;
 	uint64_t sequence, object;

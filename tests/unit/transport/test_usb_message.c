@@ -9,13 +9,13 @@
 #define WORDS_MAX 8192
 #define NONCE 0x1234567u
 #define GUARD 0x5a5a5a5au
-#define CHECKED (GLOSS_USB_COMPLETION_WORDS - 1)	/* words of a completion */
+#define CHECKED (GLOSS_USB_COMPLETION_WORDS - 1) /* words of a completion */
 
 /* A job, and what its answer ought to be. */
 struct job {
 	struct accel_usb_answer answer;
 	struct gloss_status status;
-	uint32_t response[ROOM + 1];	/* a guard behind it */
+	uint32_t response[ROOM + 1]; /* a guard behind it */
 	uint32_t expected[ROOM];
 };
 
@@ -88,7 +88,8 @@ static void say_job(uint64_t *seed)
 	uint32_t cause = test_below(seed, 2) ? test_below(seed, GLOSS_FAULT_MEMORY + 1) : 0;
 
 	*job = (struct job){ .answer = { .sequence = (uint32_t)test_random(seed),
-					 .stream_words = words, .response = job->response,
+					 .stream_words = words,
+					 .response = job->response,
 					 .response_words = room } };
 	job->status = (struct gloss_status){ .cause = (enum gloss_fault)cause,
 					     .offset = cause ? test_below(seed, words + 1) : words,
@@ -113,7 +114,7 @@ static void make_talk(uint64_t *seed, unsigned int jobs)
 
 struct hearing {
 	struct accel_usb_parser parser;
-	unsigned int syncs, jobs;	/* that have come */
+	unsigned int syncs, jobs; /* that have come */
 	bool garbled;
 };
 
@@ -136,7 +137,7 @@ static void hear(struct hearing *hearing, const uint32_t *from, size_t count)
 		struct job *job = hearing->jobs < talk.jobs ? &talk.job[hearing->jobs] : NULL;
 
 		switch (accel_usb_message_take(&hearing->parser, job ? &job->answer : NULL, &words,
-					      &count)) {
+					       &count)) {
 		case ACCEL_USB_SYNC:
 			hearing->syncs++;
 			break;
@@ -227,7 +228,7 @@ static void what_is_before_the_sync_is_dropped(void **state)
 		hear_start(&hearing);
 		hear(&hearing, before, test_below(&seed, 65));
 		if (hearing.syncs)
-			continue;	/* they were one by chance */
+			continue; /* they were one by chance */
 		hear(&hearing, talk.word, talk.words);
 		check_all(&hearing);
 	}
@@ -329,7 +330,8 @@ static bool is_garbled(const uint32_t *words, size_t count)
 
 	talk.jobs = 1;
 	talk.words = 0;
-	talk.job[0].answer = (struct accel_usb_answer){ .sequence = 7, .stream_words = 50,
+	talk.job[0].answer = (struct accel_usb_answer){ .sequence = 7,
+							.stream_words = 50,
 							.response = talk.job[0].response,
 							.response_words = 300 };
 	say_sync(NONCE);
@@ -354,7 +356,7 @@ static void every_wrong_field_is_found(void **state)
 {
 	static struct {
 		const char *what;
-		uint32_t word[8];	/* and the right checksum of a whole completion */
+		uint32_t word[8]; /* and the right checksum of a whole completion */
 		size_t words;
 		bool garbled;
 	} table[] = {

@@ -16,8 +16,7 @@
 static const struct accel_transport_ops *const ops;
 
 /* As the library does, but for its lock. */
-static inline int try_submit(void *state, const struct accel_transport_job *job,
-			     uint64_t *sequence)
+static inline int try_submit(void *state, const struct accel_transport_job *job, uint64_t *sequence)
 {
 	if (ops->wait_for_room)
 		ops->wait_for_room(state);
@@ -84,7 +83,8 @@ static inline void start_waiters(void *state, struct waiter *waiter, int count)
 	for (int i = 0; i < count; i++) {
 		waiter[i] = (struct waiter){ .state = state, .sequence = submit_empty(state) };
 		assert_int_equal(pthread_create(&waiter[i].thread, NULL, wait_in_thread,
-						&waiter[i]), 0);
+						&waiter[i]),
+				 0);
 	}
 }
 
@@ -130,8 +130,8 @@ static inline void copy_words(void *state, uint64_t object, uint64_t *seed, uint
 
 static inline void words_of_any_count_arrive(void **state)
 {
-	static const uint32_t counts[] = { 1, 2, 3, 255, 256, 257, 509, 511, 512, 513, 1000,
-					   1019, 1020 };
+	static const uint32_t counts[] = { 1,   2,   3,   255,  256,  257, 509,
+					   511, 512, 513, 1000, 1019, 1020 };
 	uint64_t object, seed = test_seed();
 
 	assert_int_equal(ops->memory_new(*state, 4 * PAGE_WORDS, &object), 0);
@@ -143,15 +143,17 @@ static inline void words_of_any_count_arrive(void **state)
 }
 
 static inline enum gloss_fault access_at(void *state, const struct accel_transport_slot *slot,
-				  uint32_t offset, bool write)
+					 uint32_t offset, bool write)
 {
 	uint32_t stream[4], response;
 	const struct accel_transport_job job = {
 		.stream = stream,
 		.stream_words = (uint32_t)(write ? packet_write(stream, 0, offset, 7) :
 						   packet_read(stream, 0, offset, 1)),
-		.response = &response, .response_words = 1,
-		.slot = slot, .slots = 1,
+		.response = &response,
+		.response_words = 1,
+		.slot = slot,
+		.slots = 1,
 	};
 	struct gloss_status status;
 

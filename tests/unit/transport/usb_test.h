@@ -33,8 +33,12 @@ static inline int read_words(void *state, uint64_t object, uint32_t *words, uint
 	const struct accel_transport_slot slot = { object, GLOSS_RIGHTS_READ };
 	uint32_t stream[3];
 	const struct accel_transport_job job = {
-		.stream = stream, .stream_words = (uint32_t)packet_read(stream, 0, 0, count),
-		.response = words, .response_words = count, .slot = &slot, .slots = 1,
+		.stream = stream,
+		.stream_words = (uint32_t)packet_read(stream, 0, 0, count),
+		.response = words,
+		.response_words = count,
+		.slot = &slot,
+		.slots = 1,
 	};
 	struct gloss_status status;
 	int err = wait_for(state, submit(state, &job), &status);

@@ -47,12 +47,14 @@ static inline void fake_write(struct gloss_usb_board *board, uint32_t offset, ui
 	port_usb_write(&board->port, offset, value);
 }
 
-static inline uint32_t fake_out(struct gloss_usb_board *board, const uint32_t *words, uint32_t count)
+static inline uint32_t fake_out(struct gloss_usb_board *board, const uint32_t *words,
+				uint32_t count)
 {
 	return port_usb_out(&board->port, words, count);
 }
 
-static inline uint32_t fake_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
+static inline uint32_t fake_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room,
+			       bool *flush)
 {
 	return port_usb_in(&board->port, words, room, flush);
 }
@@ -116,9 +118,10 @@ static inline void start(struct usb_host *host)
 }
 
 static inline void add_job(struct usb_host *host, uint32_t stream_words, uint32_t response_words,
-		    uint32_t sequence)
+			   uint32_t sequence)
 {
-	struct accel_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
+	struct accel_job job = { .stream = fake_engine_words(),
+				 .stream_words = stream_words,
 				 .response_words = response_words };
 
 	usb_host_job(host, &job, 0, sequence);
@@ -143,12 +146,13 @@ static inline void assert_status(struct usb_host *host, uint32_t status)
 static inline void assert_reset(struct usb_host *host, uint32_t nonce)
 {
 	for (uint32_t offset = 0; offset < 0x10000; offset += 4) {
-		uint32_t expected = offset == R(IDENTITY) ? 0x534f4c47 :
-				    offset == R(VERSION) ? GLOSS_VERSION :
+		uint32_t expected = offset == R(IDENTITY)     ? 0x534f4c47 :
+				    offset == R(VERSION)      ? GLOSS_VERSION :
 				    offset == R(CAPABILITIES) ? 64 | 4 << 8 :
 				    offset == R(MEMORY_PAGES) ? 7 :
-				    offset == R(NONCE) ? nonce :
-				    offset == R(STATUS) ? R(STATUS_IDLE) : 0;
+				    offset == R(NONCE)        ? nonce :
+				    offset == R(STATUS)       ? R(STATUS_IDLE) :
+								0;
 		uint32_t value = usb_host_read(host, offset);
 
 		if (value != expected)

@@ -66,8 +66,8 @@ static void random_jobs_end_as_without_a_port(void **state)
 		stream_random_memory(memory, sizeof(memory), seed + n);
 		memcpy(board_memory, memory, sizeof(memory));
 		status = run_alone((int)ops->tile_size);
-		assert_true(port_host_init(&host, ops, board_memory, sizeof(board_memory),
-					   seed + n));
+		assert_true(
+			port_host_init(&host, ops, board_memory, sizeof(board_memory), seed + n));
 		d = port_host_describe(&host, &job.job, (uint32_t)n);
 		run_on_board(&host, &d);
 		assert_same(&host, &d, &status);
@@ -86,7 +86,7 @@ static void board_says_what_it_is(void **state)
 		assert_true(port_host_init(&host, boards[n], memory, sizeof(memory), 1));
 		assert_int_equal(port_host_read(&host, GLOSS_REG_CAPABILITIES),
 				 boards[n]->tile_size | boards[n]->pixels_per_clock << 8 |
-				 GLOSS_RING_MAX_LOG2 << 16);
+					 GLOSS_RING_MAX_LOG2 << 16);
 		assert_int_equal(port_host_read(&host, GLOSS_REG_MEMORY_PAGES),
 				 sizeof(memory) / GLOSS_PAGE_BYTES);
 		port_host_fini(&host);

@@ -82,7 +82,8 @@ static int teardown(void **state)
 static struct gloss_job_descriptor describe(struct port_host *host, uint32_t stream_words,
 					    uint32_t response_words, uint32_t sequence)
 {
-	struct accel_job job = { .stream = fake_engine_words(), .stream_words = stream_words,
+	struct accel_job job = { .stream = fake_engine_words(),
+				 .stream_words = stream_words,
 				 .response_words = response_words };
 
 	return port_host_describe(host, &job, sequence);
@@ -109,11 +110,12 @@ static void submit_empty(struct port_host *host, uint32_t sequence)
 static void assert_power_on(struct port_host *host)
 {
 	for (uint32_t offset = 0; offset < 0x10000; offset += 4) {
-		uint32_t expected = offset == R(IDENTITY) ? 0x534f4c47 :
-				    offset == R(VERSION) ? GLOSS_VERSION :
+		uint32_t expected = offset == R(IDENTITY)     ? 0x534f4c47 :
+				    offset == R(VERSION)      ? GLOSS_VERSION :
 				    offset == R(CAPABILITIES) ? 64 | 4 << 8 | 8 << 16 :
 				    offset == R(MEMORY_PAGES) ? 7 :
-				    offset == R(STATUS) ? R(STATUS_IDLE) : 0;
+				    offset == R(STATUS)       ? R(STATUS_IDLE) :
+								0;
 		uint32_t value = port_host_read(host, offset);
 
 		if (value != expected)
@@ -137,8 +139,9 @@ static void registers_keep_the_bits_that_can_be_written(void **state)
 	static const struct {
 		uint32_t offset, bits;
 	} kept[] = {
-		{ R(INTERRUPT_MASK), 7 }, { R(RING_LOW), ~0u }, { R(RING_HIGH), ~0u },
-		{ R(RING_LOG2), 15 }, { R(TAIL), 0xffff }, { R(COMPLETION_LOW), ~0u },
+		{ R(INTERRUPT_MASK), 7 },    { R(RING_LOW), ~0u },
+		{ R(RING_HIGH), ~0u },       { R(RING_LOG2), 15 },
+		{ R(TAIL), 0xffff },         { R(COMPLETION_LOW), ~0u },
 		{ R(COMPLETION_HIGH), ~0u }, { R(CONTROL), R(CONTROL_ENABLE) },
 	};
 	struct port_host *host = *state;
@@ -157,8 +160,8 @@ static void registers_keep_the_bits_that_can_be_written(void **state)
 static void registers_that_are_read_only_ignore_writes(void **state)
 {
 	static const uint32_t writable[] = {
-		R(CONTROL), R(INTERRUPT_MASK), R(RING_LOW), R(RING_HIGH), R(RING_LOG2), R(TAIL),
-		R(COMPLETION_LOW), R(COMPLETION_HIGH),
+		R(CONTROL),   R(INTERRUPT_MASK), R(RING_LOW),       R(RING_HIGH),
+		R(RING_LOG2), R(TAIL),           R(COMPLETION_LOW), R(COMPLETION_HIGH),
 	};
 	struct port_host *host = *state;
 

@@ -298,7 +298,8 @@ static void response_comes_in_chunks_that_are_full(void **state)
 static void chunk_leaves_when_it_is_full(void **state)
 {
 	struct usb_host *host = *state;
-	struct accel_job job = { .stream = packets(1), .stream_words = 1000,
+	struct accel_job job = { .stream = packets(1),
+				 .stream_words = 1000,
 				 .response_words = 1000 };
 
 	start(host);
@@ -502,7 +503,8 @@ static void events_that_nobody_fetches_are_dropped_but_four(void **state)
 	for (uint32_t n = 0; n < 7; n++)
 		add_job(host, 0, 0, 10 + n);
 	assert_int_equal(port_usb_out(&host->board->port, host->out.word + host->sent,
-				      host->out.count - host->sent), 7 * EMPTY_JOB_WORDS);
+				      host->out.count - host->sent),
+			 7 * EMPTY_JOB_WORDS);
 	while (port_usb_work(&host->board->port))
 		;
 	for (uint32_t n = 0; n < 4; n++) {
@@ -529,7 +531,8 @@ static void status_follows_a_job_word_by_word(void **state)
 	for (host->out.count = begin; host->out.count <= end; host->out.count++) {
 		run(host);
 		assert_status(host, host->sent == begin || host->sent == end ? R(STATUS_IDLE) :
-				    host->sent < slots ? 0 : R(STATUS_RUNNING));
+				    host->sent < slots                       ? 0 :
+									       R(STATUS_RUNNING));
 		taken = host->sent < slots ? 0 : host->sent - slots;
 		assert_int_equal(usb_host_read(host, R(PROGRESS)),
 				 taken < job.stream_words ? taken : job.stream_words);

@@ -7,7 +7,8 @@
 static void torn_job_leaves_nothing_to_the_next_one(void **state)
 {
 	struct usb_host *host = *state;
-	struct accel_job job = { .stream = fake_engine_words(), .stream_words = 600,
+	struct accel_job job = { .stream = fake_engine_words(),
+				 .stream_words = 600,
 				 .response_words = 900 };
 	uint32_t words;
 

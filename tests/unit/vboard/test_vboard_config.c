@@ -96,8 +96,8 @@ static void only_what_may_be_written_changes(void **state)
 		assert_int_equal(config.bytes[address] ^ before.bytes[address],
 				 config.writable[address]);
 	assert_int_equal(read(PCI_VENDOR_ID, 4), 0x474c10ee);
-	assert_int_equal(read(PCI_COMMAND, 2), PCI_COMMAND_MEMORY | PCI_COMMAND_MASTER |
-					       PCI_COMMAND_INTX_DISABLE);
+	assert_int_equal(read(PCI_COMMAND, 2),
+			 PCI_COMMAND_MEMORY | PCI_COMMAND_MASTER | PCI_COMMAND_INTX_DISABLE);
 }
 
 static void an_access_that_does_not_fit_reads_ones_and_writes_nothing(void **state)
@@ -106,8 +106,10 @@ static void an_access_that_does_not_fit_reads_ones_and_writes_nothing(void **sta
 		uint32_t address;
 		int bytes;
 	} wrong[] = {
-		{ 256, 1 }, { 255, 2 }, { 253, 4 }, { 0, 0 }, { 0, 3 }, { 0, 8 }, { 0, -4 },
-		{ UINT32_MAX, 4 }, { UINT32_MAX - 1, 2 }, { 0x7fffffff, 1 },
+		{ 256, 1 },        { 255, 2 },        { 253, 4 },
+		{ 0, 0 },          { 0, 3 },          { 0, 8 },
+		{ 0, -4 },         { UINT32_MAX, 4 }, { UINT32_MAX - 1, 2 },
+		{ 0x7fffffff, 1 },
 	};
 	struct vboard_config before;
 	size_t i;

@@ -22,10 +22,10 @@
 
 static struct vboard vboard;
 static uint8_t board_memory[TEST_BOARD_BYTES];
-static int proxy;			/* our end of the board's socket */
+static int proxy; /* our end of the board's socket */
 static struct test_qtest qtest;
-static int ram;				/* the file that is the host's memory */
-static struct test_host *host;		/* which starts with the memory */
+static int ram;                /* the file that is the host's memory */
+static struct test_host *host; /* which starts with the memory */
 static uint16_t tail;
 
 /* ---- QEMU: its qtest socket ---- */
@@ -153,8 +153,10 @@ static void share_memory(void)
 	};
 	struct iovec part = { .iov_base = &request, .iov_len = 16 + request.bytes };
 	struct msghdr message = {
-		.msg_iov = &part, .msg_iovlen = 1,
-		.msg_control = &control, .msg_controllen = sizeof(control),
+		.msg_iov = &part,
+		.msg_iovlen = 1,
+		.msg_control = &control,
+		.msg_controllen = sizeof(control),
 	};
 
 	memcpy(CMSG_DATA(&control.header), &ram, sizeof(int));
@@ -376,9 +378,10 @@ static void the_pin_follows_the_command_register(void **state)
 	submit();
 	expect_pin(1, true);
 	struct request disable = {
-		.command = VBOARD_CONFIG_WRITE, .bytes = sizeof(struct vboard_message_config),
-		.config = { PCI_COMMAND, PCI_COMMAND_MEMORY | PCI_COMMAND_MASTER |
-			    PCI_COMMAND_INTX_DISABLE, 2 },
+		.command = VBOARD_CONFIG_WRITE,
+		.bytes = sizeof(struct vboard_message_config),
+		.config = { PCI_COMMAND,
+			    PCI_COMMAND_MEMORY | PCI_COMMAND_MASTER | PCI_COMMAND_INTX_DISABLE, 2 },
 	};
 	ask(&disable);
 	expect_pin(0, true);
@@ -491,7 +494,10 @@ static void memory_that_is_not_there_is_refused_alone(void **state)
 static struct request random_request(uint64_t *seed)
 {
 	static const enum vboard_command commands[] = {
-		VBOARD_CONFIG_WRITE, VBOARD_CONFIG_READ, VBOARD_BAR_WRITE, VBOARD_BAR_READ,
+		VBOARD_CONFIG_WRITE,
+		VBOARD_CONFIG_READ,
+		VBOARD_BAR_WRITE,
+		VBOARD_BAR_READ,
 	};
 	static const uint64_t bases[] = { REGISTERS, WINDOW, 0, UINT64_MAX - 7 };
 	enum vboard_command command = commands[test_below(seed, 4)];

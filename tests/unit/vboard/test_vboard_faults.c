@@ -137,7 +137,8 @@ static uint32_t jobs_after_write(uint64_t address)
 	const uint8_t record[4 * GLOSS_COMPLETION_WORDS] = { 0 };
 
 	assert_int_equal(faults.host.write(faults.host.data, TEST_HOST_BASE + address, record,
-					   sizeof(record)), GLOSS_DMA_DONE);
+					   sizeof(record)),
+			 GLOSS_DMA_DONE);
 	return armed(VBOARD_FAULT_JOBS);
 }
 
@@ -376,7 +377,11 @@ static void a_reset_of_the_host_leaves_what_is_armed(void **state)
 static void faults_of_the_command_line_are_armed_from_the_start(void **state)
 {
 	const struct vboard_faults_armed some = {
-		.delay_writes = 1, .lose_interrupts = 2, .hang = 3, .refuse_dma = 4, .die = 5,
+		.delay_writes = 1,
+		.lose_interrupts = 2,
+		.hang = 3,
+		.refuse_dma = 4,
+		.die = 5,
 		.slow = 6,
 	};
 	const struct vboard_faults_armed dead = { .die = VBOARD_FAULT_DIE_NOW };

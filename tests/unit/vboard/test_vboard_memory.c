@@ -12,7 +12,7 @@
 
 static struct vboard_memory memory;
 static int file;
-static uint8_t *contents;		/* of the file */
+static uint8_t *contents; /* of the file */
 
 static int setup(void **state)
 {
@@ -77,8 +77,9 @@ static void a_range_that_is_not_all_memory_moves_nothing(void **state)
 		uint64_t address;
 		uint32_t bytes;
 	} wrong[] = {
-		{ 0xffff, 1 }, { 0xffff, 2 }, { 0x11000, 1 }, { 0x10fff, 2 }, { 0x10000, PAGE + 1 },
-		{ 0, 4 }, { UINT64_MAX, 1 }, { UINT64_MAX - 3, 4 }, { UINT64_MAX - 3, 64 },
+		{ 0xffff, 1 },           { 0xffff, 2 },         { 0x11000, 1 },
+		{ 0x10fff, 2 },          { 0x10000, PAGE + 1 }, { 0, 4 },
+		{ UINT64_MAX, 1 },       { UINT64_MAX - 3, 4 }, { UINT64_MAX - 3, 64 },
 		{ 0x10000, UINT32_MAX }, { 0x100010000, 4 },
 	};
 	uint8_t bytes[2 * PAGE], before[2 * PAGE];
@@ -92,8 +93,7 @@ static void a_range_that_is_not_all_memory_moves_nothing(void **state)
 	for (i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++) {
 		assert_false(vboard_memory_read(&memory, wrong[i].address, bytes, wrong[i].bytes));
 		assert_memory_equal(bytes, before, sizeof(bytes));
-		assert_false(vboard_memory_write(&memory, wrong[i].address, bytes,
-						 wrong[i].bytes));
+		assert_false(vboard_memory_write(&memory, wrong[i].address, bytes, wrong[i].bytes));
 		assert_int_equal(contents[2 * PAGE - 1], 0x55);
 		assert_int_equal(contents[PAGE], 0x55);
 	}
@@ -113,14 +113,12 @@ static void a_region_that_is_not_there_is_refused(void **state)
 {
 	(void)state;
 	assert_int_equal(vboard_memory_add(&memory, 0, 0, file, 0), -EINVAL);
-	assert_int_equal(vboard_memory_add(&memory, UINT64_MAX - PAGE + 1, PAGE, file, 0),
-			 -EINVAL);
+	assert_int_equal(vboard_memory_add(&memory, UINT64_MAX - PAGE + 1, PAGE, file, 0), -EINVAL);
 	assert_int_equal(add(0, FILE_PAGES + 1, 0), -EINVAL);
 	assert_int_equal(add(0, 1, FILE_PAGES), -EINVAL);
 	assert_int_equal(add(0, 2, FILE_PAGES - 1), -EINVAL);
 	assert_int_equal(vboard_memory_add(&memory, 0, UINT64_MAX, file, 0), -EINVAL);
-	assert_int_equal(vboard_memory_add(&memory, 0, PAGE, file, UINT64_MAX - PAGE + 1),
-			 -EINVAL);
+	assert_int_equal(vboard_memory_add(&memory, 0, PAGE, file, UINT64_MAX - PAGE + 1), -EINVAL);
 	assert_int_equal(vboard_memory_add(&memory, 0, PAGE, file, 1), -EINVAL);
 	assert_int_equal(vboard_memory_add(&memory, 0, PAGE, -1, 0), -EBADF);
 	assert_int_equal(memory.regions, 0);

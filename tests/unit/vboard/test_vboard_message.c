@@ -9,7 +9,7 @@
 #include "accel_test.h"
 #include "vboard/pci/message.h"
 
-static int near, far;			/* ends of the socket; the far one is QEMU's */
+static int near, far; /* ends of the socket; the far one is QEMU's */
 
 static int setup(void **state)
 {
@@ -90,8 +90,8 @@ static void each_command_of_qemu_is_understood(void **state)
 	} all[] = {
 		{ VBOARD_SYNC_SYSMEM, 192, 0 }, { VBOARD_SYNC_SYSMEM, 192, 8 },
 		{ VBOARD_CONFIG_WRITE, 12, 0 }, { VBOARD_CONFIG_READ, 12, 0 },
-		{ VBOARD_BAR_WRITE, 24, 0 }, { VBOARD_BAR_READ, 24, 0 },
-		{ VBOARD_SET_IRQFD, 0, 2 }, { VBOARD_DEVICE_RESET, 0, 0 },
+		{ VBOARD_BAR_WRITE, 24, 0 },    { VBOARD_BAR_READ, 24, 0 },
+		{ VBOARD_SET_IRQFD, 0, 2 },     { VBOARD_DEVICE_RESET, 0, 0 },
 	};
 	struct vboard_message message;
 	unsigned int before = open_fds();
@@ -139,13 +139,24 @@ static void a_message_of_wrong_length_or_kind_ends_it(void **state)
 		uint64_t bytes;
 		unsigned int fds;
 	} wrong[] = {
-		{ VBOARD_SYNC_SYSMEM, 191, 0 }, { VBOARD_SYNC_SYSMEM, 193, 1 },
-		{ VBOARD_SYNC_SYSMEM, 192, 9 }, { VBOARD_SYNC_SYSMEM, 192, 32 },
-		{ VBOARD_RET, 8, 0 }, { VBOARD_RET, 0, 0 }, { VBOARD_CONFIG_READ, 0, 0 }, { VBOARD_CONFIG_WRITE, 16, 0 },
-		{ VBOARD_BAR_READ, 16, 0 }, { VBOARD_BAR_WRITE, UINT64_MAX, 0 },
-		{ VBOARD_BAR_WRITE, 24, 1 }, { VBOARD_BAR_WRITE, 1ull << 32 | 24, 0 },
-		{ VBOARD_SET_IRQFD, 0, 0 }, { VBOARD_SET_IRQFD, 0, 3 },
-		{ VBOARD_DEVICE_RESET, 4, 0 }, { 8, 0, 0 }, { -1, 0, 2 }, { INT32_MIN, 24, 0 },
+		{ VBOARD_SYNC_SYSMEM, 191, 0 },
+		{ VBOARD_SYNC_SYSMEM, 193, 1 },
+		{ VBOARD_SYNC_SYSMEM, 192, 9 },
+		{ VBOARD_SYNC_SYSMEM, 192, 32 },
+		{ VBOARD_RET, 8, 0 },
+		{ VBOARD_RET, 0, 0 },
+		{ VBOARD_CONFIG_READ, 0, 0 },
+		{ VBOARD_CONFIG_WRITE, 16, 0 },
+		{ VBOARD_BAR_READ, 16, 0 },
+		{ VBOARD_BAR_WRITE, UINT64_MAX, 0 },
+		{ VBOARD_BAR_WRITE, 24, 1 },
+		{ VBOARD_BAR_WRITE, 1ull << 32 | 24, 0 },
+		{ VBOARD_SET_IRQFD, 0, 0 },
+		{ VBOARD_SET_IRQFD, 0, 3 },
+		{ VBOARD_DEVICE_RESET, 4, 0 },
+		{ 8, 0, 0 },
+		{ -1, 0, 2 },
+		{ INT32_MIN, 24, 0 },
 		{ INT32_MAX, 0, 0 },
 	};
 	struct vboard_message message;
@@ -199,8 +210,8 @@ static void random_bytes_are_a_message_or_the_end(void **state)
 		for (i = 0; i < sizeof(raw.body); i++)
 			raw.body[i] = (uint8_t)test_random(&seed);
 		raw.command = (int32_t)test_below(&seed, 10) - 1;
-		raw.bytes = (const uint64_t[]){ 0, 12, 24, 192, test_random(&seed) }
-							[test_below(&seed, 5)];
+		raw.bytes = (const uint64_t[]){ 0, 12, 24, 192,
+						test_random(&seed) }[test_below(&seed, 5)];
 		send_bytes(&raw, 1 + test_below(&seed, sizeof(raw)), test_below(&seed, 11));
 		shutdown(far, SHUT_WR);
 		do {

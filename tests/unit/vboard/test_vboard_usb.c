@@ -311,27 +311,24 @@ static void wrong_requests_are_stalled(void **state)
 		uint8_t type, request;
 		uint16_t value, index, length;
 	} wrong[] = {
-		{ 0xc1, 1, 2, 0, 4 },		/* no offset of a register */
-		{ 0xc1, 1, 0, 2, 4 },		/* no such interface */
-		{ 0xc1, 1, 0, 0, 2 },
-		{ 0xc1, 1, 0, 0, 8 },
-		{ 0xc1, 2, 0, 0, 4 },		/* a write that reads */
-		{ 0x41, 1, 0x80, 0, 4 },
-		{ 0x41, 2, 0x80, 0, 8 },
-		{ 0x40, 2, 0x80, 0, 4 },	/* of the device */
-		{ 0xc0, 1, 0, 0, 4 },
-		{ 0x80, 77, 0, 0, 4 },
-		{ 0x02, 1, 0, 0x55, 0 },	/* no such endpoint */
-		{ 0x02, 1, 1, 0x81, 0 },	/* no such feature */
-		{ 0x82, 0, 0, 0x55, 2 },
-		{ 0x81, 0, 0, 9, 2 },
+		{ 0xc1, 1, 2, 0, 4 }, /* no offset of a register */
+		{ 0xc1, 1, 0, 2, 4 }, /* no such interface */
+		{ 0xc1, 1, 0, 0, 2 },    { 0xc1, 1, 0, 0, 8 },
+		{ 0xc1, 2, 0, 0, 4 }, /* a write that reads */
+		{ 0x41, 1, 0x80, 0, 4 }, { 0x41, 2, 0x80, 0, 8 },
+		{ 0x40, 2, 0x80, 0, 4 }, /* of the device */
+		{ 0xc0, 1, 0, 0, 4 },    { 0x80, 77, 0, 0, 4 },
+		{ 0x02, 1, 0, 0x55, 0 }, /* no such endpoint */
+		{ 0x02, 1, 1, 0x81, 0 }, /* no such feature */
+		{ 0x82, 0, 0, 0x55, 2 }, { 0x81, 0, 0, 9, 2 },
 	};
 	const uint32_t data[2] = { 1, 1 };
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++)
-		assert_int_equal(peer_request(&peer, wrong[i].type, wrong[i].request, wrong[i].value,
-					      wrong[i].index, wrong[i].length, data)->status,
+		assert_int_equal(peer_request(&peer, wrong[i].type, wrong[i].request,
+					      wrong[i].value, wrong[i].index, wrong[i].length, data)
+					 ->status,
 				 usb_redir_stall);
 	assert_int_equal(get(GLOSS_REG_NONCE), 0);
 }
@@ -631,23 +628,36 @@ static void transfers_of_other_endpoints_are_refused(void **state)
 static size_t random_packet(uint8_t *bytes, uint64_t *seed)
 {
 	static const struct {
-		uint32_t type, length;		/* of what follows the head */
+		uint32_t type, length; /* of what follows the head */
 	} known[] = {
-		{ usb_redir_reset, 0 }, { usb_redir_set_configuration, 1 },
-		{ usb_redir_get_configuration, 0 }, { usb_redir_set_alt_setting, 2 },
-		{ usb_redir_get_alt_setting, 1 }, { usb_redir_start_iso_stream, 3 },
-		{ usb_redir_stop_iso_stream, 1 }, { usb_redir_start_interrupt_receiving, 1 },
-		{ usb_redir_stop_interrupt_receiving, 1 }, { usb_redir_alloc_bulk_streams, 8 },
-		{ usb_redir_free_bulk_streams, 4 }, { usb_redir_cancel_data_packet, 0 },
-		{ usb_redir_filter_reject, 0 }, { usb_redir_filter_filter, 4 },
-		{ usb_redir_device_disconnect_ack, 0 }, { usb_redir_start_bulk_receiving, 10 },
-		{ usb_redir_stop_bulk_receiving, 5 }, { usb_redir_control_packet, 10 },
-		{ usb_redir_bulk_packet, 10 }, { usb_redir_iso_packet, 4 },
-		{ usb_redir_interrupt_packet, 4 }, { usb_redir_hello, 68 },
-		{ usb_redir_device_connect, 10 }, { 99, 4 },
+		{ usb_redir_reset, 0 },
+		{ usb_redir_set_configuration, 1 },
+		{ usb_redir_get_configuration, 0 },
+		{ usb_redir_set_alt_setting, 2 },
+		{ usb_redir_get_alt_setting, 1 },
+		{ usb_redir_start_iso_stream, 3 },
+		{ usb_redir_stop_iso_stream, 1 },
+		{ usb_redir_start_interrupt_receiving, 1 },
+		{ usb_redir_stop_interrupt_receiving, 1 },
+		{ usb_redir_alloc_bulk_streams, 8 },
+		{ usb_redir_free_bulk_streams, 4 },
+		{ usb_redir_cancel_data_packet, 0 },
+		{ usb_redir_filter_reject, 0 },
+		{ usb_redir_filter_filter, 4 },
+		{ usb_redir_device_disconnect_ack, 0 },
+		{ usb_redir_start_bulk_receiving, 10 },
+		{ usb_redir_stop_bulk_receiving, 5 },
+		{ usb_redir_control_packet, 10 },
+		{ usb_redir_bulk_packet, 10 },
+		{ usb_redir_iso_packet, 4 },
+		{ usb_redir_interrupt_packet, 4 },
+		{ usb_redir_hello, 68 },
+		{ usb_redir_device_connect, 10 },
+		{ 99, 4 },
 	};
 	size_t n = test_below(seed, sizeof(known) / sizeof(known[0]));
-	struct usb_redir_header head = { .type = known[n].type, .length = known[n].length,
+	struct usb_redir_header head = { .type = known[n].type,
+					 .length = known[n].length,
 					 .id = test_below(seed, 8) };
 	bool odd = test_below(seed, 200) == 0;
 
@@ -725,7 +735,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		usb_test(a_board_at_super_speed_says_so),
-		cmocka_unit_test_setup_teardown(a_board_at_high_speed_says_so, setup_high, teardown),
+		cmocka_unit_test_setup_teardown(a_board_at_high_speed_says_so, setup_high,
+						teardown),
 		usb_test(configurations_and_settings_are_one_each),
 		usb_test(registers_are_read_and_written),
 		usb_test(wrong_requests_are_stalled),

@@ -7,10 +7,10 @@
 #include "still_clock.h"
 #include "vboard/usb/vboard.h"
 
-#define WORDS 4096u			/* that the board holds */
+#define WORDS 4096u /* that the board holds */
 #define PACKET 512u
 #define COMPLETION (GLOSS_USB_COMPLETION_MAGIC << 16)
-#define BURST_END 0xb0b0b0b0		/* the board ends a burst behind this word */
+#define BURST_END 0xb0b0b0b0 /* the board ends a burst behind this word */
 
 struct gloss_usb_board {
 	uint32_t word[WORDS];
@@ -136,7 +136,8 @@ static uint64_t out(const void *data, uint32_t bytes)
 
 	assert_non_null(copy);
 	memcpy(copy, data, bytes);
-	assert_true(vboard_usb_bridge_submit(&bridge, next_id, GLOSS_USB_ENDPOINT_OUT, copy, bytes));
+	assert_true(
+		vboard_usb_bridge_submit(&bridge, next_id, GLOSS_USB_ENDPOINT_OUT, copy, bytes));
 	return next_id++;
 }
 
@@ -438,8 +439,14 @@ static void a_lost_transfer_ends_well(void **state)
 /* A chunk of two words, and a completion behind it, whose number is @number. */
 static uint64_t out_answer(uint32_t number)
 {
-	const uint32_t words[] = { GLOSS_USB_RESPONSE_MAGIC << 16 | 2, COMPLETION, 1,
-				   COMPLETION, number, 0, 2, BURST_END };
+	const uint32_t words[] = { GLOSS_USB_RESPONSE_MAGIC << 16 | 2,
+				   COMPLETION,
+				   1,
+				   COMPLETION,
+				   number,
+				   0,
+				   2,
+				   BURST_END };
 
 	return out(words, sizeof(words));
 }

@@ -15,20 +15,20 @@
 struct test_answer {
 	bool there;
 	uint8_t status, endpoint;
-	uint32_t length;		/* that the head says */
-	uint8_t *data;			/* as many bytes of IN; of OUT none */
+	uint32_t length; /* that the head says */
+	uint8_t *data;   /* as many bytes of IN; of OUT none */
 };
 
 struct test_peer {
 	struct usbredirparser *parser;
 	int socket;
-	bool reads;			/* or leaves what it is sent where it is */
+	bool reads; /* or leaves what it is sent where it is */
 	unsigned int connects, disconnects, interrupts;
 	struct usb_redir_device_connect_header device;
 	struct usb_redir_interface_info_header interfaces;
 	struct usb_redir_ep_info_header endpoints;
 	int configuration_status, configuration, setting_status, interrupt_status;
-	uint8_t interrupt[8];		/* the last one */
+	uint8_t interrupt[8]; /* the last one */
 	uint64_t next_id;
 	struct test_answer answer[PEER_ANSWERS];
 };
@@ -132,8 +132,11 @@ static inline void peer_control(void *data, uint64_t id,
 				int count)
 {
 	(void)count;
-	peer_answer(data, id, (struct test_answer){ .status = head->status, .length = head->length,
-						    .endpoint = head->endpoint, .data = bytes });
+	peer_answer(data, id,
+		    (struct test_answer){ .status = head->status,
+					  .length = head->length,
+					  .endpoint = head->endpoint,
+					  .data = bytes });
 }
 
 static inline void peer_bulk(void *data, uint64_t id, struct usb_redir_bulk_packet_header *head,
@@ -142,8 +145,11 @@ static inline void peer_bulk(void *data, uint64_t id, struct usb_redir_bulk_pack
 	uint32_t length = head->length | (uint32_t)head->length_high << 16;
 
 	(void)count;
-	peer_answer(data, id, (struct test_answer){ .status = head->status, .length = length,
-						    .endpoint = head->endpoint, .data = bytes });
+	peer_answer(data, id,
+		    (struct test_answer){ .status = head->status,
+					  .length = length,
+					  .endpoint = head->endpoint,
+					  .data = bytes });
 }
 
 static inline void peer_interrupt(void *data, uint64_t id,
@@ -223,19 +229,18 @@ static inline bool peer_move(struct test_peer *peer, int ms)
 	poll(&polls, 1, ms);
 	if (polls.revents & POLLIN && usbredirparser_do_read(peer->parser) < 0)
 		return false;
-	return !(polls.revents & (POLLHUP | POLLERR)) &&
-	       usbredirparser_do_write(peer->parser) >= 0;
+	return !(polls.revents & (POLLHUP | POLLERR)) && usbredirparser_do_write(peer->parser) >= 0;
 }
 
 /* Until @condition holds; fails if that takes too long. */
-#define peer_until(peer, condition)                                                                \
-	do {                                                                                       \
-		int peer_left = test_patience_ms();                                                \
-                                                                                                   \
-		while (!(condition)) {                                                             \
-			if (!peer_move(peer, 1) || !peer_left--)                                   \
-				fail_msg("no %s", #condition);                                     \
-		}                                                                                  \
+#define peer_until(peer, condition)                              \
+	do {                                                     \
+		int peer_left = test_patience_ms();              \
+                                                                 \
+		while (!(condition)) {                           \
+			if (!peer_move(peer, 1) || !peer_left--) \
+				fail_msg("no %s", #condition);   \
+		}                                                \
 	} while (0)
 
 /* Moves for @ms in which nothing is to be answered to @id. */
@@ -313,7 +318,8 @@ static inline const struct test_answer *peer_transfer(struct test_peer *peer, ui
 static inline void peer_write_register(struct test_peer *peer, uint16_t interface, uint16_t offset,
 				       uint32_t value)
 {
-	const struct test_answer *answer = peer_request(peer, 0x41, 2, offset, interface, 4, &value);
+	const struct test_answer *answer = peer_request(peer, 0x41, 2, offset, interface, 4,
+							&value);
 
 	assert_int_equal(answer->status, usb_redir_success);
 	assert_int_equal(answer->length, 4);

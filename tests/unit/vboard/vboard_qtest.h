@@ -37,7 +37,9 @@ struct test_qtest {
 static inline void test_qtest_init(struct test_qtest *qtest)
 {
 	*qtest = (struct test_qtest){
-		.folder = "/tmp/vboard-test-XXXXXX", .listener = -1, .socket = -1,
+		.folder = "/tmp/vboard-test-XXXXXX",
+		.listener = -1,
+		.socket = -1,
 		.address = { .sun_family = AF_UNIX },
 	};
 	alarm(test_patience_s());
@@ -51,7 +53,8 @@ static inline void test_qtest_accept(struct test_qtest *qtest)
 {
 	qtest->listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
 	assert_int_equal(bind(qtest->listener, (struct sockaddr *)&qtest->address,
-			      sizeof(qtest->address)), 0);
+			      sizeof(qtest->address)),
+			 0);
 	assert_int_equal(listen(qtest->listener, 1), 0);
 	qtest->socket = accept(qtest->listener, NULL, NULL);
 	assert_true(qtest->socket >= 0);
@@ -86,7 +89,8 @@ static inline void test_qtest_expect(const struct test_qtest *qtest, const char 
 	size_t length = 0;
 
 	do {
-		assert_true(length < sizeof(line) && test_qtest_has_more(qtest, test_patience_ms()));
+		assert_true(length < sizeof(line) &&
+			    test_qtest_has_more(qtest, test_patience_ms()));
 		assert_int_equal(recv(qtest->socket, line + length, 1, 0), 1);
 	} while (line[length++] != '\n');
 	line[length - 1] = '\0';

@@ -9,7 +9,7 @@
 #include "vboard/pci/faults.h"
 #include "gloss_regs.h"
 
-#define TEST_HOST_BASE 0x100000000ull	/* of its memory on the bus: both words count */
+#define TEST_HOST_BASE 0x100000000ull /* of its memory on the bus: both words count */
 #define TEST_HOST_BYTES 0x10000u
 
 /* Where the driver has its things in there. */
@@ -22,7 +22,7 @@
 
 struct test_host {
 	uint8_t memory[TEST_HOST_BYTES];
-	bool messages;			/* MSI is on */
+	bool messages; /* MSI is on */
 	bool level;
 	unsigned int events, power_ons, accesses;
 };

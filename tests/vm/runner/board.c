@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define PCI	   "/sys/bus/pci/devices"
+#define PCI "/sys/bus/pci/devices"
 #define GROUP_CARD 44 /* video, in every Debian */
 
 static int fd;

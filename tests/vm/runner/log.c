@@ -14,8 +14,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#define NOTICE	  5
-#define EXPECTED  16
+#define NOTICE 5
+#define EXPECTED 16
 #define DIRECTIVE "gloss-test: "
 
 struct text {

@@ -36,7 +36,7 @@ static void read_line(struct plan *plan, const char *key, const char *value)
 		const char *key;
 		char **value;
 	} texts[] = {
-		{ "out", &plan->out },	       { "source", &plan->source },
+		{ "out", &plan->out },         { "source", &plan->source },
 		{ "build", &plan->build },     { "driver", &plan->driver },
 		{ "modules", &plan->modules }, { "seed", &plan->seed },
 		{ "slow", &plan->slow_text },  { "term", &plan->term },

@@ -15,14 +15,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define EXIT_PORT     0xf4 /* QEMU's isa-debug-exit */
-#define EXIT_SKIP     77
-#define RENDER_GROUP  105 /* where the host has no group "render" */
+#define EXIT_PORT 0xf4 /* QEMU's isa-debug-exit */
+#define EXIT_SKIP 77
+#define RENDER_GROUP 105 /* where the host has no group "render" */
 #define FAULT_TIMEOUT "timeout_ms=500"
 /* The boards are programs: on a busy machine a job of theirs may take long. */
 #define JOB_LIMIT "job_limit_ms=120000"
-#define STEP_SECONDS  300
-#define NODE_MS	      60000
+#define STEP_SECONDS 300
+#define NODE_MS 60000
 
 static struct plan plan;
 static struct board boards[BOARDS];

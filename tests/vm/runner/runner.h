@@ -18,9 +18,9 @@
 #include <stddef.h>
 
 #define PLAN_MODULES 8
-#define PLAN_TESTS   128
-#define BOARDS	     2
-#define USB_BOARDS   2
+#define PLAN_TESTS 128
+#define BOARDS 2
+#define USB_BOARDS 2
 
 struct plan_test {
 	char *name;

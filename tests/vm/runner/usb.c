@@ -11,9 +11,9 @@
 #define USB "/sys/bus/usb/devices"
 
 /* As tools/udev has them. */
-#define VENDOR	"1209"
+#define VENDOR "1209"
 #define PRODUCT "0001"
-#define NAME	"Gloss board"
+#define NAME "Gloss board"
 
 /* A line of @name in the device's directory, or "". */
 static void attribute(char value[64], const char *device, const char *name)

@@ -20,7 +20,7 @@ struct gloss_board;
 
 /* What a host answers to DMA. */
 enum gloss_dma {
-	GLOSS_DMA_REFUSED,		/* as a bus does with an address it does not know */
+	GLOSS_DMA_REFUSED, /* as a bus does with an address it does not know */
 	GLOSS_DMA_DONE,
 	/*
 	 * Not done yet; only to the write of a completion record, by a host that makes
@@ -45,8 +45,8 @@ struct gloss_board_host {
 };
 
 struct gloss_board_ops {
-	uint32_t abi;			/* GLOSS_BOARD_ABI */
-	uint32_t version;		/* GLOSS_VERSION it was built from */
+	uint32_t abi;     /* GLOSS_BOARD_ABI */
+	uint32_t version; /* GLOSS_VERSION it was built from */
 	uint32_t tile_size, pixels_per_clock;
 
 	/*

@@ -8,7 +8,7 @@
 
 struct board_engine {
 	struct model model;
-	struct accel_job job;		/* under way; its stream and response are the windows */
+	struct accel_job job; /* under way; its stream and response are the windows */
 };
 
 /* @memory outlives @board, as @board does @engine. */

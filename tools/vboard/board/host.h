@@ -14,11 +14,12 @@
 #include "vboard/board/board.h"
 #include "sim/sim_port.h"
 
-template <class Core, unsigned Bits>
-class BoardHost
+template <class Core, unsigned Bits> class BoardHost
 {
-public:
-	explicit BoardHost(const gloss_board_host *host) : host_(host) {}
+      public:
+	explicit BoardHost(const gloss_board_host *host) : host_(host)
+	{
+	}
 
 	void reset()
 	{
@@ -35,7 +36,8 @@ public:
 		core.host_arready_i = core.host_awready_i = core.host_wready_i = 1;
 		drive_read(core);
 		core.host_bvalid_i = !answers_.empty() && answers_.front().due <= now_;
-		core.host_bresp_i = core.host_bvalid_i && answers_.front().refused ? SlaveError : Okay;
+		core.host_bresp_i = core.host_bvalid_i && answers_.front().refused ? SlaveError :
+										     Okay;
 	}
 
 	/* Takes what the board hands over at this edge. */
@@ -61,7 +63,7 @@ public:
 		}
 	}
 
-private:
+      private:
 	static constexpr unsigned Latency = 32;
 	static constexpr unsigned BeatBytes = Bits / 8;
 	static constexpr unsigned Okay = 0, SlaveError = 2;

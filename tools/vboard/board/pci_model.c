@@ -61,17 +61,10 @@ static void board_reset(struct gloss_board *board)
 	port_pci_reset(&board->port);
 }
 
-#define BOARD_OPS(size)				\
-	.abi = GLOSS_BOARD_ABI,			\
-	.version = GLOSS_VERSION,		\
-	.tile_size = (size),			\
-	.pixels_per_clock = 1,			\
-	.create = board_create_t##size,		\
-	.destroy = board_destroy,		\
-	.read = board_read,			\
-	.write = board_write,			\
-	.work = board_work,			\
-	.reset = board_reset
+#define BOARD_OPS(size)                                                                  \
+	.abi = GLOSS_BOARD_ABI, .version = GLOSS_VERSION, .tile_size = (size),           \
+	.pixels_per_clock = 1, .create = board_create_t##size, .destroy = board_destroy, \
+	.read = board_read, .write = board_write, .work = board_work, .reset = board_reset
 
 const struct gloss_board_ops gloss_board_model_t32 = { BOARD_OPS(32) };
 const struct gloss_board_ops gloss_board_model_t64 = { BOARD_OPS(64) };

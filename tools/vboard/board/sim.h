@@ -16,17 +16,19 @@
 #include "sim/sim_port.h"
 #include "verilated.h"
 
-template <class Board, unsigned Lanes>
-class BoardSim
+template <class Board, unsigned Lanes> class BoardSim
 {
-public:
+      public:
 	BoardSim(void *memory, uint64_t size) : memory_(memory, size)
 	{
 		board_.memory_pages_i = size / GLOSS_PAGE_BYTES;
 	}
 
 	/* Scopes of a board leave the context of the thread, which is that of the board made last. */
-	virtual ~BoardSim() { Verilated::threadContextp(&context_); }
+	virtual ~BoardSim()
+	{
+		Verilated::threadContextp(&context_);
+	}
 
 	/* Power on; its end is CONTROL.reset's, too. */
 	void reset()
@@ -59,7 +61,7 @@ public:
 		return answer;
 	}
 
-protected:
+      protected:
 	static constexpr unsigned SliceClocks = 64, WorkSlices = 4; /* of work() */
 
 	/* The bus at reset: nothing comes from it, and nothing is under way. */
@@ -69,9 +71,14 @@ protected:
 	/* Takes what the board hands over at this edge; @moved: something did at its memory. */
 	virtual void sample(bool moved) = 0;
 	/* The edge is past. */
-	virtual void notice() {}
+	virtual void notice()
+	{
+	}
 
-	bool resetting() { return access(false, GLOSS_REG_CONTROL, 0) & GLOSS_REG_CONTROL_RESET; }
+	bool resetting()
+	{
+		return access(false, GLOSS_REG_CONTROL, 0) & GLOSS_REG_CONTROL_RESET;
+	}
 
 	/* One clock; true, and the answer, if a register access ends with it. */
 	bool clock(uint32_t *answer = nullptr)
@@ -95,7 +102,7 @@ protected:
 		return ready;
 	}
 
-private:
+      private:
 	static constexpr unsigned ResetClocks = 4;
 	static constexpr unsigned AccessClocks = 16;
 	static constexpr uint32_t Nobody = ~0u; /* what a bus reads that nobody answers on */
@@ -117,10 +124,10 @@ private:
 
 	VerilatedContext context_;
 
-protected:
+      protected:
 	Board board_{ &context_ };
 
-private:
+      private:
 	SimMemory<Board, Lanes> memory_;
 	SimStalls stalls_{ 0 };
 };

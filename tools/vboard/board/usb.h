@@ -21,8 +21,8 @@
 struct gloss_usb_board;
 
 struct gloss_usb_board_ops {
-	uint32_t abi;			/* GLOSS_USB_BOARD_ABI */
-	uint32_t version;		/* GLOSS_VERSION it was built from */
+	uint32_t abi;     /* GLOSS_USB_BOARD_ABI */
+	uint32_t version; /* GLOSS_VERSION it was built from */
 	uint32_t tile_size, pixels_per_clock;
 
 	/*

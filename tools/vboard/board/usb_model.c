@@ -54,8 +54,7 @@ static uint32_t board_out(struct gloss_usb_board *board, const uint32_t *words, 
 	return port_usb_out(&board->port, words, count);
 }
 
-static uint32_t board_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room,
-			 bool *flush)
+static uint32_t board_in(struct gloss_usb_board *board, uint32_t *words, uint32_t room, bool *flush)
 {
 	return port_usb_in(&board->port, words, room, flush);
 }
@@ -75,20 +74,11 @@ static void board_reset(struct gloss_usb_board *board)
 	port_usb_reset(&board->port);
 }
 
-#define BOARD_OPS(size)				\
-	.abi = GLOSS_USB_BOARD_ABI,		\
-	.version = GLOSS_VERSION,		\
-	.tile_size = (size),			\
-	.pixels_per_clock = 1,			\
-	.create = board_create_t##size,		\
-	.destroy = board_destroy,		\
-	.read = board_read,			\
-	.write = board_write,			\
-	.out = board_out,			\
-	.in = board_in,				\
-	.event = board_event,			\
-	.work = board_work,			\
-	.reset = board_reset
+#define BOARD_OPS(size)                                                                  \
+	.abi = GLOSS_USB_BOARD_ABI, .version = GLOSS_VERSION, .tile_size = (size),       \
+	.pixels_per_clock = 1, .create = board_create_t##size, .destroy = board_destroy, \
+	.read = board_read, .write = board_write, .out = board_out, .in = board_in,      \
+	.event = board_event, .work = board_work, .reset = board_reset
 
 const struct gloss_usb_board_ops gloss_usb_board_model_t32 = { BOARD_OPS(32) };
 const struct gloss_usb_board_ops gloss_usb_board_model_t64 = { BOARD_OPS(64) };

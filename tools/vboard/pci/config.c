@@ -116,8 +116,7 @@ bool vboard_config_bus_master(const struct vboard_config *config)
 
 bool vboard_config_msi(const struct vboard_config *config)
 {
-	return bytes_get(config->bytes + CAPABILITY_MSI + PCI_MSI_FLAGS, 2) &
-	       PCI_MSI_FLAGS_ENABLE;
+	return bytes_get(config->bytes + CAPABILITY_MSI + PCI_MSI_FLAGS, 2) & PCI_MSI_FLAGS_ENABLE;
 }
 
 void vboard_config_message(const struct vboard_config *config, uint64_t *address, uint16_t *data)
@@ -131,7 +130,8 @@ void vboard_config_message(const struct vboard_config *config, uint64_t *address
 
 bool vboard_config_intx(struct vboard_config *config, bool level)
 {
-	uint32_t status = bytes_get(config->bytes + PCI_STATUS, 2) & ~(uint32_t)PCI_STATUS_INTERRUPT;
+	uint32_t status = bytes_get(config->bytes + PCI_STATUS, 2) &
+			  ~(uint32_t)PCI_STATUS_INTERRUPT;
 
 	bytes_set(config->bytes + PCI_STATUS, status | (level ? PCI_STATUS_INTERRUPT : 0), 2);
 	return !vboard_config_msi(config) && !(config_command(config) & PCI_COMMAND_INTX_DISABLE);

@@ -18,7 +18,7 @@
 
 enum vboard_bar {
 	VBOARD_BAR_REGISTERS,
-	VBOARD_BAR_FAULTS,		/* a real board has none */
+	VBOARD_BAR_FAULTS, /* a real board has none */
 	VBOARD_BARS,
 };
 
@@ -38,8 +38,7 @@ void vboard_config_reset(struct vboard_config *config);
  * ones and writes nothing.
  */
 uint32_t vboard_config_read(const struct vboard_config *config, uint32_t address, int bytes);
-void vboard_config_write(struct vboard_config *config, uint32_t address, uint32_t value,
-			 int bytes);
+void vboard_config_write(struct vboard_config *config, uint32_t address, uint32_t value, int bytes);
 
 /* The BAR that decodes @bytes bytes at bus address @address, and where in it; -1: none. */
 int vboard_config_find(const struct vboard_config *config, uint64_t address, uint32_t bytes,

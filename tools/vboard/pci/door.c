@@ -29,8 +29,7 @@ static enum gloss_dma door_dma_read(void *data, uint64_t address, void *to, uint
 	return GLOSS_DMA_DONE;
 }
 
-static enum gloss_dma door_dma_write(void *data, uint64_t address, const void *from,
-				     uint32_t bytes)
+static enum gloss_dma door_dma_write(void *data, uint64_t address, const void *from, uint32_t bytes)
 {
 	struct vboard *vboard = data;
 

@@ -10,30 +10,30 @@
 #include "vboard/board/board.h"
 
 /* Registers of the fault window, 32 bits each. */
-#define VBOARD_FAULT_IDENTITY		0x00	/* ro: VBOARD_FAULT_IDENTITY_VALUE */
+#define VBOARD_FAULT_IDENTITY 0x00 /* ro: VBOARD_FAULT_IDENTITY_VALUE */
 /* Register writes take effect so many microseconds late, or before the next read. */
-#define VBOARD_FAULT_DELAY_WRITES	0x04
-#define VBOARD_FAULT_LOSE_INTERRUPTS	0x08	/* how many interrupts are yet to be lost */
+#define VBOARD_FAULT_DELAY_WRITES 0x04
+#define VBOARD_FAULT_LOSE_INTERRUPTS 0x08 /* how many interrupts are yet to be lost */
 /*
  * The engine stops for ever before it ends the n-th job from now, the running one
  * being the first. CONTROL.reset ends that, and the count; 0 does too.
  */
-#define VBOARD_FAULT_HANG		0x0c
-#define VBOARD_FAULT_REFUSE_DMA		0x10	/* the n-th DMA access from now is refused */
+#define VBOARD_FAULT_HANG 0x0c
+#define VBOARD_FAULT_REFUSE_DMA 0x10 /* the n-th DMA access from now is refused */
 /*
  * The board goes away when the n-th job from now begins to use DMA, the running one
  * being the first; 0xffffffff: now. Then it is gone for everything but this window,
  * until 0 is written: it is back in its power-on state.
  */
-#define VBOARD_FAULT_DIE		0x14
+#define VBOARD_FAULT_DIE 0x14
 /* Any write sends an MSI, if enabled, and does nothing else. Reads 0. */
-#define VBOARD_FAULT_DOORBELL		0x18
-#define VBOARD_FAULT_SLOW		0x1c	/* each job takes so many microseconds longer */
-#define VBOARD_FAULT_JOBS		0x20	/* ro: jobs that have ended since power on */
-#define VBOARD_FAULT_BUS_MASTER_ERRORS	0x24	/* ro: DMA tried with bus mastering off */
+#define VBOARD_FAULT_DOORBELL 0x18
+#define VBOARD_FAULT_SLOW 0x1c              /* each job takes so many microseconds longer */
+#define VBOARD_FAULT_JOBS 0x20              /* ro: jobs that have ended since power on */
+#define VBOARD_FAULT_BUS_MASTER_ERRORS 0x24 /* ro: DMA tried with bus mastering off */
 
-#define VBOARD_FAULT_IDENTITY_VALUE	0x544c4146
-#define VBOARD_FAULT_DIE_NOW		0xffffffff
+#define VBOARD_FAULT_IDENTITY_VALUE 0x544c4146
+#define VBOARD_FAULT_DIE_NOW 0xffffffff
 
 /* What stands on the other side of a board: its door. */
 struct vboard_faults_door {
@@ -59,21 +59,21 @@ struct vboard_faults_write {
 struct vboard_faults {
 	const struct gloss_board_ops *ops;
 	struct gloss_board *board;
-	struct gloss_board_host host;	/* what the board sees */
+	struct gloss_board_host host; /* what the board sees */
 	struct vboard_faults_door door;
 	struct vboard_faults_armed armed;
 	uint32_t jobs, bus_master_errors;
 
 	bool dead;
 	bool hung;
-	uint64_t ends;			/* when the job that is slow ends; 0: none is */
+	uint64_t ends; /* when the job that is slow ends; 0: none is */
 	bool level, level_lost;
 
 	struct vboard_faults_write write[VBOARD_FAULTS_WRITES];
-	unsigned int writes;		/* that have not taken effect */
+	unsigned int writes; /* that have not taken effect */
 
-	uint64_t completion;		/* where the driver wants the records, */
-	uint32_t ring_log2;		/* and how many */
+	uint64_t completion; /* where the driver wants the records, */
+	uint32_t ring_log2;  /* and how many */
 };
 
 /* See gloss_board_ops.create; false: out of memory. */

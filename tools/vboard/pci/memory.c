@@ -37,7 +37,9 @@ int vboard_memory_add(struct vboard_memory *memory, uint64_t address, uint64_t b
 	if (map == MAP_FAILED)
 		return -errno;
 	memory->region[memory->regions++] = (struct vboard_region){
-		.address = address, .bytes = bytes, .map = map,
+		.address = address,
+		.bytes = bytes,
+		.map = map,
 	};
 	return 0;
 }

@@ -9,7 +9,7 @@
 #define VBOARD_REGIONS 8
 
 struct vboard_region {
-	uint64_t address, bytes;	/* on the bus, whose last byte is in none */
+	uint64_t address, bytes; /* on the bus, whose last byte is in none */
 	uint8_t *map;
 };
 

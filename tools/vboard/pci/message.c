@@ -10,7 +10,7 @@
 struct header {
 	int32_t command;
 	uint32_t zero;
-	uint64_t bytes;			/* of the body */
+	uint64_t bytes; /* of the body */
 };
 
 _Static_assert(sizeof(struct header) == 16, "as QEMU has it");
@@ -46,8 +46,7 @@ static void message_take_fds(struct msghdr *from, struct vboard_message *message
 	}
 }
 
-static int message_receive_header(int socket, struct vboard_message *message,
-				  struct header *header)
+static int message_receive_header(int socket, struct vboard_message *message, struct header *header)
 {
 	union {
 		struct cmsghdr align;

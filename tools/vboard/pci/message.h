@@ -13,20 +13,20 @@
 #define VBOARD_MESSAGE_FDS 8
 
 enum vboard_command {
-	VBOARD_SYNC_SYSMEM,		/* sysmem; one fd for each range; no reply */
-	VBOARD_RET,			/* the reply to everything else */
-	VBOARD_CONFIG_WRITE,		/* config */
-	VBOARD_CONFIG_READ,		/* config */
-	VBOARD_BAR_WRITE,		/* bar */
-	VBOARD_BAR_READ,		/* bar */
-	VBOARD_SET_IRQFD,		/* two fds; no reply */
+	VBOARD_SYNC_SYSMEM,  /* sysmem; one fd for each range; no reply */
+	VBOARD_RET,          /* the reply to everything else */
+	VBOARD_CONFIG_WRITE, /* config */
+	VBOARD_CONFIG_READ,  /* config */
+	VBOARD_BAR_WRITE,    /* bar */
+	VBOARD_BAR_READ,     /* bar */
+	VBOARD_SET_IRQFD,    /* two fds; no reply */
 	VBOARD_DEVICE_RESET,
 };
 
 struct vboard_message_sysmem {
-	uint64_t address[VBOARD_MESSAGE_FDS];	/* on the bus */
+	uint64_t address[VBOARD_MESSAGE_FDS]; /* on the bus */
 	uint64_t bytes[VBOARD_MESSAGE_FDS];
-	uint64_t offset[VBOARD_MESSAGE_FDS];	/* in the file */
+	uint64_t offset[VBOARD_MESSAGE_FDS]; /* in the file */
 };
 
 struct vboard_message_config {
@@ -35,10 +35,10 @@ struct vboard_message_config {
 };
 
 struct vboard_message_bar {
-	uint64_t address;		/* on the bus, not in the BAR */
+	uint64_t address; /* on the bus, not in the BAR */
 	uint64_t value;
 	uint32_t bytes;
-	uint8_t memory;			/* not I/O ports */
+	uint8_t memory; /* not I/O ports */
 	uint8_t zero[3];
 };
 
@@ -49,7 +49,7 @@ struct vboard_message {
 		struct vboard_message_config config;
 		struct vboard_message_bar bar;
 	};
-	int fd[VBOARD_MESSAGE_FDS];	/* open until vboard_message_release */
+	int fd[VBOARD_MESSAGE_FDS]; /* open until vboard_message_release */
 	unsigned int fds;
 };
 

@@ -24,15 +24,15 @@
 
 struct vboard_qtest {
 	struct sockaddr_un address;
-	int stop;			/* eventfd: end the thread */
-	pthread_t thread;		/* connects, and reads answers */
-	pthread_mutex_t lock;		/* protects the following members */
+	int stop;             /* eventfd: end the thread */
+	pthread_t thread;     /* connects, and reads answers */
+	pthread_mutex_t lock; /* protects the following members */
 	pthread_cond_t answered_more;
-	int socket;			/* -1: not connected */
-	bool gone;			/* QEMU was there and has ended */
+	int socket; /* -1: not connected */
+	bool gone;  /* QEMU was there and has ended */
 	bool complained;
-	uint64_t sent, answered;	/* commands */
-	unsigned int raised[IO_APIC_PINS];	/* boards that hold the pin up */
+	uint64_t sent, answered;           /* commands */
+	unsigned int raised[IO_APIC_PINS]; /* boards that hold the pin up */
 };
 
 /* q35 leads INTA of slot n to PIRQ E to H, and those to pins 20 to 23. */
@@ -94,7 +94,7 @@ static void qtest_read(struct vboard_qtest *qtest)
 			memmove(line, end + 1, length + 1);
 		}
 		if (length == sizeof(line) - 1)
-			length = 0;	/* no answer is that long */
+			length = 0; /* no answer is that long */
 	}
 }
 
@@ -140,8 +140,7 @@ static void qtest_send(struct vboard_qtest *qtest, const char *command)
 {
 	if (qtest->socket < 0 && !qtest->gone)
 		qtest_complain(qtest, "an interrupt is lost: QEMU does not listen here");
-	if (qtest->socket >= 0 &&
-	    send(qtest->socket, command, strlen(command), MSG_NOSIGNAL) >= 0)
+	if (qtest->socket >= 0 && send(qtest->socket, command, strlen(command), MSG_NOSIGNAL) >= 0)
 		qtest->sent++;
 }
 

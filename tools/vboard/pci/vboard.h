@@ -12,10 +12,10 @@
 #define VBOARD_NO_SLOT UINT32_MAX
 
 struct vboard {
-	const char *name;		/* for messages */
+	const char *name; /* for messages */
 	struct vboard_loop loop;
-	struct vboard_qtest *qtest;	/* NULL: interrupts go nowhere */
-	uint32_t slot;			/* of the bus; VBOARD_NO_SLOT: INTx goes nowhere */
+	struct vboard_qtest *qtest; /* NULL: interrupts go nowhere */
+	uint32_t slot;              /* of the bus; VBOARD_NO_SLOT: INTx goes nowhere */
 
 	struct vboard_config config;
 	struct vboard_memory memory;
@@ -23,11 +23,11 @@ struct vboard {
 	void *board_memory;
 	uint64_t board_memory_size;
 
-	bool level;			/* that the board wants at INTx */
-	bool pin;			/* the level there is */
-	bool vcpu_waits;		/* for an answer, and QEMU's main loop does not */
+	bool level;      /* that the board wants at INTx */
+	bool pin;        /* the level there is */
+	bool vcpu_waits; /* for an answer, and QEMU's main loop does not */
 
-	uint64_t reads, writes;		/* of registers */
+	uint64_t reads, writes; /* of registers */
 	uint64_t dma_bytes;
 	uint64_t interrupts;
 };

@@ -24,10 +24,10 @@ struct port_step {
 	/* Of the stream, from the first not taken: the next packet, as long as its header says,
 	 * or all that is left. */
 	const uint32_t *words;
-	uint32_t count;			/* at least 1; may be more */
-	uint32_t *answer;		/* room for PORT_ANSWER_WORDS, which are the engine's */
-	uint32_t taken;			/* out: at least 1 */
-	uint32_t answered;		/* out: not more than the job has room for */
+	uint32_t count;    /* at least 1; may be more */
+	uint32_t *answer;  /* room for PORT_ANSWER_WORDS, which are the engine's */
+	uint32_t taken;    /* out: at least 1 */
+	uint32_t answered; /* out: not more than the job has room for */
 };
 
 struct port_engine {
@@ -46,7 +46,7 @@ struct port_build {
 	uint32_t tile_size, pixels_per_clock, memory_pages;
 };
 
-#define PORT_REGISTERS 34		/* words that there are registers in */
+#define PORT_REGISTERS 34 /* words that there are registers in */
 
 struct port_base {
 	struct port_engine engine;

@@ -87,8 +87,7 @@ bool port_list_read(struct port_list *list, struct port_dma *dma, uint32_t *word
 	return list_access(list, dma, port_dma_read, words, count);
 }
 
-bool port_list_write(struct port_list *list, struct port_dma *dma, uint32_t *words,
-		     uint32_t count)
+bool port_list_write(struct port_list *list, struct port_dma *dma, uint32_t *words, uint32_t count)
 {
 	return list_access(list, dma, port_dma_write, words, count);
 }

@@ -47,8 +47,7 @@ static bool port_has_job(const struct port_pci *port)
 }
 
 /* Address of the entry at HEAD of an array that is as long as the ring; @bytes: a power of 2. */
-static uint64_t port_entry(const struct port_pci *port, uint32_t low, uint32_t high,
-			   uint32_t bytes)
+static uint64_t port_entry(const struct port_pci *port, uint32_t low, uint32_t high, uint32_t bytes)
 {
 	uint32_t log2 = REG(port, RING_LOG2);
 	uint32_t entries = 1u << (log2 < GLOSS_RING_MAX_LOG2 ? log2 : GLOSS_RING_MAX_LOG2);
@@ -77,8 +76,7 @@ static bool port_read_job(struct port_pci *port, struct accel_job *job)
 	struct gloss_job_descriptor d;
 
 	port->base.sequence = 0;
-	if (port_dma_read(&port->dma, address, words, GLOSS_JOB_DESCRIPTOR_WORDS) !=
-	    GLOSS_DMA_DONE)
+	if (port_dma_read(&port->dma, address, words, GLOSS_JOB_DESCRIPTOR_WORDS) != GLOSS_DMA_DONE)
 		return false;
 	gloss_job_descriptor_unpack(words, &d);
 	port->base.sequence = d.sequence;
@@ -161,17 +159,17 @@ static void port_run(struct port_pci *port)
 
 static void port_end(struct port_pci *port)
 {
-	uint64_t address = port_entry(port, REG(port, COMPLETION_LOW),
-				      REG(port, COMPLETION_HIGH), 4 * GLOSS_COMPLETION_WORDS);
+	uint64_t address = port_entry(port, REG(port, COMPLETION_LOW), REG(port, COMPLETION_HIGH),
+				      4 * GLOSS_COMPLETION_WORDS);
 	uint32_t words[GLOSS_COMPLETION_WORDS];
 	uint32_t events = GLOSS_REG_INTERRUPT_STATUS_DONE;
 
 	gloss_completion_pack(words, &(struct gloss_completion){
-		.sequence = port->base.sequence,
-		.cause = port->base.status.cause,
-		.offset = port->base.status.offset,
-		.response_words = port->base.status.response_words,
-	});
+					     .sequence = port->base.sequence,
+					     .cause = port->base.status.cause,
+					     .offset = port->base.status.offset,
+					     .response_words = port->base.status.response_words,
+				     });
 	switch (port_dma_write(&port->dma, address, words, GLOSS_COMPLETION_WORDS)) {
 	case GLOSS_DMA_LATER:
 		return;

@@ -9,18 +9,18 @@
 
 /* What the port is doing. */
 enum port_state {
-	PORT_READY,			/* for the next job */
+	PORT_READY, /* for the next job */
 	PORT_RUNNING,
-	PORT_ENDING,			/* the job has ended, its completion is to be written */
-	PORT_STOPPED,			/* by a DMA error */
+	PORT_ENDING,  /* the job has ended, its completion is to be written */
+	PORT_STOPPED, /* by a DMA error */
 };
 
 struct port_pci {
-	struct port_base base;		/* STATUS is made when it is read */
+	struct port_base base; /* STATUS is made when it is read */
 	struct port_dma dma;
-	bool level;			/* of INTx, as the host knows it */
+	bool level; /* of INTx, as the host knows it */
 	enum port_state state;
-	struct port_list stream, response;	/* of the job under way */
+	struct port_list stream, response; /* of the job under way */
 };
 
 /* Power on: fills all of @port. @host outlives it. */

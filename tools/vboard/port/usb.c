@@ -119,8 +119,7 @@ static uint32_t port_synchronise(struct port_usb *port)
 	port->head[GLOSS_USB_SYNC_WORDS - 1] = fifo_pop(&port->out);
 	gloss_usb_sync_unpack(port->head, &sync);
 	if (sync.mark == GLOSS_USB_SYNC_MAGIC && sync.mark_complement == ~sync.mark &&
-	    sync.nonce_complement == ~sync.nonce && sync.nonce &&
-	    sync.nonce == REG(port, NONCE)) {
+	    sync.nonce_complement == ~sync.nonce && sync.nonce && sync.nonce == REG(port, NONCE)) {
 		/* Nothing was sent since the reset, so there is room. */
 		port_send(port, port->head, GLOSS_USB_SYNC_WORDS, true);
 		port->state = PORT_USB_READY;
@@ -163,8 +162,9 @@ static void port_begin(struct port_usb *port)
 		.response_words = head.response_words,
 	};
 	for (uint32_t n = 0; n < head.slots; n++)
-		port_base_slot(&job, n, port->head + GLOSS_USB_JOB_WORDS +
-					(size_t)n * GLOSS_SLOT_ENTRY_WORDS);
+		port_base_slot(&job, n,
+			       port->head + GLOSS_USB_JOB_WORDS +
+				       (size_t)n * GLOSS_SLOT_ENTRY_WORDS);
 	port->base.sequence = head.sequence;
 	port->stream_left = head.stream_words;
 	port->answer_count = 0;
@@ -183,8 +183,9 @@ static uint32_t port_head(struct port_usb *port)
 	moved = fifo_pop_many(&port->out, port->head + port->head_count, words - port->head_count);
 	port->head_count += moved;
 	if (port->head_count == words) {
-		port->out_checksum = accel_usb_checksum(0, port->head +
-							GLOSS_USB_JOB_STREAM_WORDS_WORD,
+		port->out_checksum = accel_usb_checksum(0,
+							port->head +
+								GLOSS_USB_JOB_STREAM_WORDS_WORD,
 							words - GLOSS_USB_JOB_STREAM_WORDS_WORD);
 		port_begin(port);
 	}
@@ -197,9 +198,9 @@ static uint32_t port_head(struct port_usb *port)
 static bool port_send_chunk(struct port_usb *port)
 {
 	gloss_usb_response_pack(port->chunk, &(struct gloss_usb_response){
-		.count = port->chunk_count,
-		.mark = GLOSS_USB_RESPONSE_MAGIC,
-	});
+						     .count = port->chunk_count,
+						     .mark = GLOSS_USB_RESPONSE_MAGIC,
+					     });
 	if (!port_send(port, port->chunk, GLOSS_USB_RESPONSE_WORDS + port->chunk_count, false))
 		return false;
 	port->in_checksum = accel_usb_checksum(port->in_checksum,
@@ -296,14 +297,14 @@ static uint32_t port_end(struct port_usb *port)
 	if (port->chunk_count)
 		return port_send_chunk(port);
 	gloss_usb_completion_pack(words, &(struct gloss_usb_completion){
-		.cause = status->cause,
-		.mark = GLOSS_USB_COMPLETION_MAGIC,
-		.sequence = port->base.sequence,
-		.offset = status->offset,
-		.response_words = status->response_words,
-	});
-	words[GLOSS_USB_COMPLETION_CHECKSUM_WORD] =
-		accel_usb_checksum(port->in_checksum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
+						 .cause = status->cause,
+						 .mark = GLOSS_USB_COMPLETION_MAGIC,
+						 .sequence = port->base.sequence,
+						 .offset = status->offset,
+						 .response_words = status->response_words,
+					 });
+	words[GLOSS_USB_COMPLETION_CHECKSUM_WORD] = accel_usb_checksum(
+		port->in_checksum, words, GLOSS_USB_COMPLETION_CHECKSUM_WORD);
 	if (!port_send(port, words, GLOSS_USB_COMPLETION_WORDS, true))
 		return 0;
 	port_base_count(&port->base);

@@ -12,24 +12,24 @@
 #include "vboard/board/usb.h"
 #include "vboard/usb/faults.h"
 
-#define VBOARD_USB_TRANSFER_MAX (16u << 20)	/* bytes */
-#define VBOARD_USB_TRANSFERS 1024u		/* that wait, of an endpoint */
-#define VBOARD_USB_WAITING_MAX (64u << 20)	/* bytes that wait to go OUT */
+#define VBOARD_USB_TRANSFER_MAX (16u << 20) /* bytes */
+#define VBOARD_USB_TRANSFERS 1024u          /* that wait, of an endpoint */
+#define VBOARD_USB_WAITING_MAX (64u << 20)  /* bytes that wait to go OUT */
 
 struct vboard_usb_transfer {
 	struct vboard_usb_transfer *next;
-	uint64_t id;			/* the host's */
+	uint64_t id; /* the host's */
 	uint8_t endpoint;
-	uint32_t bytes;			/* there are of OUT, or is room for of IN */
-	uint32_t *data;			/* of OUT, malloc'ed; NULL of IN */
-	bool begun;			/* of OUT */
-	uint32_t taken;			/* words of OUT that the board has */
+	uint32_t bytes; /* there are of OUT, or is room for of IN */
+	uint32_t *data; /* of OUT, malloc'ed; NULL of IN */
+	bool begun;     /* of OUT */
+	uint32_t taken; /* words of OUT that the board has */
 };
 
 struct vboard_usb_queue {
 	struct vboard_usb_transfer *first, **end;
 	uint32_t count;
-	uint32_t out_bytes;		/* of all transfers' data */
+	uint32_t out_bytes; /* of all transfers' data */
 };
 
 enum vboard_usb_status { VBOARD_USB_DONE, VBOARD_USB_STALLED, VBOARD_USB_CANCELLED };
@@ -50,9 +50,9 @@ struct vboard_usb_bridge {
 	/* Words of IN on their way to the host. */
 	uint32_t *word;
 	uint32_t room, count;
-	uint32_t may;			/* how many of them may leave while the faults hold the rest */
+	uint32_t may; /* how many of them may leave while the faults hold the rest */
 	bool held;
-	bool burst_ended;		/* behind the last of them */
+	bool burst_ended; /* behind the last of them */
 };
 
 /* ->ops, ->board, ->faults, ->packet_bytes, ->ended and ->user are set, the rest is 0. */

@@ -20,8 +20,9 @@ static bool *control_halted(struct vboard_usb *usb, uint16_t endpoint)
 	case GLOSS_USB_ENDPOINT_EVENT:
 		return &usb->event_halted;
 	default:
-		return endpoint > UINT8_MAX ? NULL :
-		       vboard_usb_bridge_halted(&usb->bridge, (uint8_t)endpoint);
+		return endpoint > UINT8_MAX ?
+			       NULL :
+			       vboard_usb_bridge_halted(&usb->bridge, (uint8_t)endpoint);
 	}
 }
 
@@ -129,8 +130,8 @@ static void control_write(struct vboard_usb *usb, uint16_t offset, uint32_t valu
 }
 
 static int control_register(struct vboard_usb *usb,
-			    const struct usb_redir_control_packet_header *head,
-			    const uint8_t *data, uint8_t *answer)
+			    const struct usb_redir_control_packet_header *head, const uint8_t *data,
+			    uint8_t *answer)
 {
 	bool in = head->requesttype & USB_DIR_IN;
 	uint32_t value;

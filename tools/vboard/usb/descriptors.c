@@ -8,11 +8,11 @@
 
 enum { STRING_LANGUAGES, STRING_MANUFACTURER, STRING_PRODUCT, STRING_SERIAL };
 
-#define LANGUAGE 0x0409			/* English, United States */
+#define LANGUAGE 0x0409 /* English, United States */
 #define EVENT_BYTES (4 * GLOSS_USB_EVENT_WORDS)
-#define EVENT_INTERVAL 4		/* a millisecond */
+#define EVENT_INTERVAL 4 /* a millisecond */
 #define BURST_PACKETS 16
-#define SUPER_CONTROL_LOG2 9		/* bytes of a packet */
+#define SUPER_CONTROL_LOG2 9 /* bytes of a packet */
 
 #define LOW(value) ((uint8_t)(value))
 #define HIGH(value) ((uint8_t)((value) >> 8))
@@ -42,11 +42,19 @@ static int append(uint8_t *bytes, int at, const uint8_t *descriptor)
 static int describe_device(uint8_t *bytes, bool super)
 {
 	const uint8_t device[] = {
-		USB_DT_DEVICE_SIZE, USB_DT_DEVICE, WORD(super ? 0x0300 : 0x0200),
-		0, 0, 0,		/* the interfaces have the classes */
+		USB_DT_DEVICE_SIZE,
+		USB_DT_DEVICE,
+		WORD(super ? 0x0300 : 0x0200),
+		0,
+		0,
+		0, /* the interfaces have the classes */
 		super ? SUPER_CONTROL_LOG2 : 64,
-		WORD(GLOSS_USB_VENDOR), WORD(GLOSS_USB_PRODUCT), WORD(VBOARD_USB_DEVICE_VERSION),
-		STRING_MANUFACTURER, STRING_PRODUCT, STRING_SERIAL,
+		WORD(GLOSS_USB_VENDOR),
+		WORD(GLOSS_USB_PRODUCT),
+		WORD(VBOARD_USB_DEVICE_VERSION),
+		STRING_MANUFACTURER,
+		STRING_PRODUCT,
+		STRING_SERIAL,
 		1,
 	};
 
@@ -57,13 +65,18 @@ static int describe_endpoint(uint8_t *bytes, int at, const struct vboard_usb_end
 			     bool super)
 {
 	const uint8_t descriptor[] = {
-		USB_DT_ENDPOINT_SIZE, USB_DT_ENDPOINT, endpoint->address,
+		USB_DT_ENDPOINT_SIZE,
+		USB_DT_ENDPOINT,
+		endpoint->address,
 		endpoint->interrupt ? USB_ENDPOINT_XFER_INT : USB_ENDPOINT_XFER_BULK,
-		WORD(endpoint->packet_bytes), endpoint->interval,
+		WORD(endpoint->packet_bytes),
+		endpoint->interval,
 	};
 	const uint8_t companion[] = {
-		USB_DT_SS_EP_COMP_SIZE, USB_DT_SS_ENDPOINT_COMP,
-		endpoint->interrupt ? 0 : BURST_PACKETS - 1, 0,
+		USB_DT_SS_EP_COMP_SIZE,
+		USB_DT_SS_ENDPOINT_COMP,
+		endpoint->interrupt ? 0 : BURST_PACKETS - 1,
+		0,
 		WORD(endpoint->interrupt ? endpoint->packet_bytes : 0),
 	};
 
@@ -75,9 +88,15 @@ static int describe_interface(uint8_t *bytes, int at, uint8_t number, bool super
 {
 	struct vboard_usb_endpoint endpoints[VBOARD_USB_ENDPOINTS];
 	const uint8_t interface[] = {
-		USB_DT_INTERFACE_SIZE, USB_DT_INTERFACE, number, 0, number ? 2 : 3,
-		USB_CLASS_VENDOR_SPEC, number ? VBOARD_USB_PLAIN_SUBCLASS : GLOSS_USB_SUBCLASS,
-		GLOSS_USB_PROTOCOL, 0,
+		USB_DT_INTERFACE_SIZE,
+		USB_DT_INTERFACE,
+		number,
+		0,
+		number ? 2 : 3,
+		USB_CLASS_VENDOR_SPEC,
+		number ? VBOARD_USB_PLAIN_SUBCLASS : GLOSS_USB_SUBCLASS,
+		GLOSS_USB_PROTOCOL,
+		0,
 	};
 
 	vboard_usb_endpoints(endpoints, super);
@@ -91,8 +110,15 @@ static int describe_interface(uint8_t *bytes, int at, uint8_t number, bool super
 static int describe_configuration(uint8_t *bytes, bool super)
 {
 	const uint8_t configuration[] = {
-		USB_DT_CONFIG_SIZE, USB_DT_CONFIG, 0, 0, VBOARD_USB_INTERFACES, 1, 0,
-		USB_CONFIG_ATT_ONE | USB_CONFIG_ATT_SELFPOWER, 0,
+		USB_DT_CONFIG_SIZE,
+		USB_DT_CONFIG,
+		0,
+		0,
+		VBOARD_USB_INTERFACES,
+		1,
+		0,
+		USB_CONFIG_ATT_ONE | USB_CONFIG_ATT_SELFPOWER,
+		0,
 	};
 	int at = append(bytes, 0, configuration);
 	uint8_t i;
@@ -108,16 +134,23 @@ static int describe_configuration(uint8_t *bytes, bool super)
 static int describe_bos(uint8_t *bytes)
 {
 	const uint8_t bos[] = {
-		USB_DT_BOS_SIZE, USB_DT_BOS,
-		WORD(USB_DT_BOS_SIZE + USB_DT_USB_EXT_CAP_SIZE + USB_DT_USB_SS_CAP_SIZE), 2,
+		USB_DT_BOS_SIZE,
+		USB_DT_BOS,
+		WORD(USB_DT_BOS_SIZE + USB_DT_USB_EXT_CAP_SIZE + USB_DT_USB_SS_CAP_SIZE),
+		2,
 	};
 	const uint8_t extension[] = {
 		USB_DT_USB_EXT_CAP_SIZE, USB_DT_DEVICE_CAPABILITY, USB_CAP_TYPE_EXT, 2, 0, 0, 0,
 	};
 	const uint8_t super[] = {
-		USB_DT_USB_SS_CAP_SIZE, USB_DT_DEVICE_CAPABILITY, USB_SS_CAP_TYPE, 0,
-		WORD(USB_HIGH_SPEED_OPERATION | USB_5GBPS_OPERATION), 2,
-		10, WORD(0x7ff),	/* us to leave U1 and U2 */
+		USB_DT_USB_SS_CAP_SIZE,
+		USB_DT_DEVICE_CAPABILITY,
+		USB_SS_CAP_TYPE,
+		0,
+		WORD(USB_HIGH_SPEED_OPERATION | USB_5GBPS_OPERATION),
+		2,
+		10,
+		WORD(0x7ff), /* us to leave U1 and U2 */
 	};
 
 	return append(bytes, append(bytes, append(bytes, 0, bos), extension), super);

@@ -7,17 +7,17 @@
 #include <stdint.h>
 
 /* Interface 1, which only the virtual board has: plain bulk transfers, and the fault window. */
-#define VBOARD_USB_PLAIN_SUBCLASS	0x46
-#define VBOARD_USB_PLAIN_SINK		0x03
-#define VBOARD_USB_PLAIN_SOURCE		0x83
+#define VBOARD_USB_PLAIN_SUBCLASS 0x46
+#define VBOARD_USB_PLAIN_SINK 0x03
+#define VBOARD_USB_PLAIN_SOURCE 0x83
 
-#define VBOARD_USB_INTERFACES		2
-#define VBOARD_USB_SERIAL_MAX		60	/* characters */
-#define VBOARD_USB_DESCRIPTOR_MAX	256	/* bytes of any of them */
+#define VBOARD_USB_INTERFACES 2
+#define VBOARD_USB_SERIAL_MAX 60      /* characters */
+#define VBOARD_USB_DESCRIPTOR_MAX 256 /* bytes of any of them */
 
 struct vboard_usb_endpoint {
 	uint8_t address, interface;
-	bool interrupt;			/* or bulk */
+	bool interrupt; /* or bulk */
 	uint16_t packet_bytes;
 	uint8_t interval;
 };

@@ -55,11 +55,12 @@ static int door_read(void *data, uint8_t *bytes, int count)
 		if (!usb->read_budget)
 			return 0;
 		got = wanted >= VBOARD_USB_READ_BYTES ?
-		      door_receive(usb, bytes, wanted) :
-		      door_receive(usb, usb->read, VBOARD_USB_READ_BYTES);
+			      door_receive(usb, bytes, wanted) :
+			      door_receive(usb, usb->read, VBOARD_USB_READ_BYTES);
 		if (got <= 0)
 			return got;
-		usb->read_budget -= (uint32_t)got < usb->read_budget ? (uint32_t)got : usb->read_budget;
+		usb->read_budget -= (uint32_t)got < usb->read_budget ? (uint32_t)got :
+								       usb->read_budget;
 		if (wanted >= VBOARD_USB_READ_BYTES)
 			return got;
 		usb->read_at = 0;
@@ -275,10 +276,8 @@ static void door_callbacks(struct usbredirparser *parser)
 bool vboard_door_usb_init(struct vboard_usb *usb)
 {
 	static const int can[] = {
-		usb_redir_cap_connect_device_version,
-		usb_redir_cap_device_disconnect_ack,
-		usb_redir_cap_ep_info_max_packet_size,
-		usb_redir_cap_64bits_ids,
+		usb_redir_cap_connect_device_version,  usb_redir_cap_device_disconnect_ack,
+		usb_redir_cap_ep_info_max_packet_size, usb_redir_cap_64bits_ids,
 		usb_redir_cap_32bits_bulk_length,
 	};
 	uint32_t caps[USB_REDIR_CAPS_SIZE] = { 0 };

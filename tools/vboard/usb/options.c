@@ -7,7 +7,7 @@
 #include "transport/option.h"
 #include "vboard/options.h"
 
-#define OPTIONS_TEXT_MAX 1024		/* characters of a board's options */
+#define OPTIONS_TEXT_MAX 1024 /* characters of a board's options */
 
 static const char usage[] =
 	"usage: vboard-usb [--verbose] --board ENGINE,fd=N[,OPTION=VALUE]... ...\n"
@@ -42,7 +42,7 @@ static const char usage[] =
 
 struct text_option {
 	const char *name;
-	char *value;			/* empty: not given yet */
+	char *value; /* empty: not given yet */
 	size_t size;
 };
 

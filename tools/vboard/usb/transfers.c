@@ -16,7 +16,7 @@ static void usb_control(void *data, uint64_t id, struct usb_redir_control_packet
 	bool in = head->endpoint & 0x80;
 	int length = -1;
 
-	(void)count;			/* is what the head says */
+	(void)count; /* is what the head says */
 	if (usb->plugged && in == !!(head->requesttype & 0x80))
 		length = vboard_usb_control(usb, head, bytes, answer);
 	usbredirparser_free_packet_data(usb->parser, bytes);
@@ -154,7 +154,7 @@ static void usb_bulk(void *data, uint64_t id, struct usb_redir_bulk_packet_heade
 	uint32_t count = head->length | (uint32_t)head->length_high << 16;
 	bool taken = false;
 
-	(void)length;			/* is what the head says */
+	(void)length; /* is what the head says */
 	if (!usb->plugged) {
 		usbredirparser_free_packet_data(usb->parser, bytes);
 		return;
@@ -185,7 +185,7 @@ static void usb_cancel(void *data, uint64_t id)
 
 bool vboard_usb_pour(struct vboard_usb *usb)
 {
-	static uint8_t zeros[VBOARD_USB_TRANSFER_MAX];	/* const would be in the program's file */
+	static uint8_t zeros[VBOARD_USB_TRANSFER_MAX]; /* const would be in the program's file */
 	const struct vboard_usb_transfer *transfer = usb->source.first;
 
 	if (!transfer)

@@ -13,9 +13,9 @@
 #define VBOARD_USB_READ_BYTES 4096u
 
 struct vboard_usb {
-	const char *name;		/* for messages */
+	const char *name; /* for messages */
 	const char *serial;
-	bool super;			/* speed, or high */
+	bool super; /* speed, or high */
 	struct vboard_loop loop;
 
 	struct vboard_usb_faults faults;
@@ -26,18 +26,18 @@ struct vboard_usb {
 	/* The cable. */
 	struct usbredirparser *parser;
 	bool plugged;
-	bool leaving;			/* pulled, and the host does not know it yet */
-	uint64_t replug;		/* when it is plugged in again; UINT64_MAX: never */
-	bool listening;			/* the host takes events */
-	struct vboard_usb_queue source;	/* transfers of the plain source */
-	int end;			/* what serve() is to return, if not 1 */
+	bool leaving;                   /* pulled, and the host does not know it yet */
+	uint64_t replug;                /* when it is plugged in again; UINT64_MAX: never */
+	bool listening;                 /* the host takes events */
+	struct vboard_usb_queue source; /* transfers of the plain source */
+	int end;                        /* what serve() is to return, if not 1 */
 
 	/* What was received and not parsed yet, and how much may be received now. */
 	uint8_t read[VBOARD_USB_READ_BYTES];
 	uint32_t read_at, read_count, read_budget;
 
-	uint64_t requests;		/* of registers */
-	uint64_t out_bytes, in_bytes;	/* of the port */
+	uint64_t requests;            /* of registers */
+	uint64_t out_bytes, in_bytes; /* of the port */
 	uint64_t events;
 };
 
