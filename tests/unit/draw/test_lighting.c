@@ -119,7 +119,7 @@ static struct accel_light random_light(uint64_t *seed)
 
 static void random_state(uint64_t *seed, struct accel_state *state)
 {
-	struct accel_material material[2];
+	struct accel_material material[2] = { ACCEL_MATERIAL(), ACCEL_MATERIAL() };
 
 	for (int side = 0; side < 2; side++) {
 		random_rgba(seed, material[side].emission);
