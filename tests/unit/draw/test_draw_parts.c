@@ -114,7 +114,7 @@ static uint64_t check(struct fixture *f, struct accel_vertex node[3], uint32_t o
 	}
 	draw_counted(f, vertex, 0, 0);
 	parts = draw_counted(f, vertex, odds, 1);
-	if (memcmp(counts[0], counts[1], sizeof(counts[0])))
+	if (memcmp(counts[0], counts[1], sizeof(counts[0])) != 0)
 		fail_msg("(%d,%d) (%d,%d) (%d,%d): %llu parts draw other pixels", node[0].x,
 			 node[0].y, node[1].x, node[1].y, node[2].x, node[2].y,
 			 (unsigned long long)parts);
