@@ -117,10 +117,10 @@ const char *accel_version(void);
 /* ---- device ---- */
 
 struct accel_device_info {
-	char name[64];			/* for people */
-	uint32_t tile_size;		/* pixels, 32 or 64 */
+	char name[64];      /* for people */
+	uint32_t tile_size; /* pixels, 32 or 64 */
 	uint32_t pixels_per_clock;
-	uint64_t memory_size;		/* bytes */
+	uint64_t memory_size; /* bytes */
 };
 
 /*
@@ -199,12 +199,12 @@ void accel_device_info(struct accel_device *device, struct accel_device_info *in
 /* Where the board's clocks went, summed over all jobs that have ended since the device was
  * opened. */
 struct accel_device_clocks {
-	uint64_t clocks;		/* in which the board had a job */
-	uint64_t stall_stream;		/* command waited for stream words */
-	uint64_t stall_raster;		/* a triangle waited for raster */
-	uint64_t stall_tile;		/* triangles waited for a tile buffer */
-	uint64_t stall_memory;		/* command or a tile waited for board memory */
-	uint64_t stall_response;	/* the response waited for the host */
+	uint64_t clocks;         /* in which the board had a job */
+	uint64_t stall_stream;   /* command waited for stream words */
+	uint64_t stall_raster;   /* a triangle waited for raster */
+	uint64_t stall_tile;     /* triangles waited for a tile buffer */
+	uint64_t stall_memory;   /* command or a tile waited for board memory */
+	uint64_t stall_response; /* the response waited for the host */
 };
 
 /*
@@ -256,8 +256,8 @@ void accel_target_free(struct accel_target *target);
 
 /* What a target has for each pixel, 4 bytes of each. */
 enum accel_plane {
-	ACCEL_PLANE_COLOUR,		/* red, green, blue, alpha: a byte each, in this order */
-	ACCEL_PLANE_DEPTH		/* a uint32_t: depth in bits 23:0, 0xffffff is 1 */
+	ACCEL_PLANE_COLOUR, /* red, green, blue, alpha: a byte each, in this order */
+	ACCEL_PLANE_DEPTH   /* a uint32_t: depth in bits 23:0, 0xffffff is 1 */
 };
 
 /* Pixels from the top left corner of a target. */
@@ -281,15 +281,21 @@ int accel_target_read(struct accel_target *target, enum accel_plane plane,
 /* ---- state: everything a draw depends on but the mesh ---- */
 
 enum accel_shading {
-	ACCEL_SHADING_GOURAUD,		/* lit at vertices, linear in space between, as in OpenGL */
-	ACCEL_SHADING_ADAPTIVE,		/* the default: as much as each triangle needs */
-	ACCEL_SHADING_QUADRATIC,	/* one second-order surface on each triangle */
-	ACCEL_SHADING_FLAT		/* one colour a triangle */
+	ACCEL_SHADING_GOURAUD,   /* lit at vertices, linear in space between, as in OpenGL */
+	ACCEL_SHADING_ADAPTIVE,  /* the default: as much as each triangle needs */
+	ACCEL_SHADING_QUADRATIC, /* one second-order surface on each triangle */
+	ACCEL_SHADING_FLAT       /* one colour a triangle */
 };
 
 enum accel_compare {
-	ACCEL_COMPARE_NEVER, ACCEL_COMPARE_LESS, ACCEL_COMPARE_EQUAL, ACCEL_COMPARE_LEQUAL,
-	ACCEL_COMPARE_GREATER, ACCEL_COMPARE_NOTEQUAL, ACCEL_COMPARE_GEQUAL, ACCEL_COMPARE_ALWAYS
+	ACCEL_COMPARE_NEVER,
+	ACCEL_COMPARE_LESS,
+	ACCEL_COMPARE_EQUAL,
+	ACCEL_COMPARE_LEQUAL,
+	ACCEL_COMPARE_GREATER,
+	ACCEL_COMPARE_NOTEQUAL,
+	ACCEL_COMPARE_GEQUAL,
+	ACCEL_COMPARE_ALWAYS
 };
 
 enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
@@ -299,10 +305,10 @@ enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
  * members zero a surface is black and its alpha 0.
  */
 struct accel_material {
-	size_t size;			/* of this struct, bytes: set by ACCEL_MATERIAL() */
+	size_t size; /* of this struct, bytes: set by ACCEL_MATERIAL() */
 	float emission[4], ambient[4], diffuse[4], specular[4];
-	float shininess;		/* the specular exponent, 0 to 1000 */
-	uint32_t reserved;		/* 0 */
+	float shininess;   /* the specular exponent, 0 to 1000 */
+	uint32_t reserved; /* 0 */
 };
 #define ACCEL_MATERIAL(...) ACCEL_SIZED(accel_material, __VA_ARGS__)
 
@@ -315,15 +321,15 @@ struct accel_material {
  * farther.
  */
 struct accel_light {
-	size_t size;			/* of this struct, bytes: set by ACCEL_LIGHT() */
+	size_t size; /* of this struct, bytes: set by ACCEL_LIGHT() */
 	bool enabled;
 	float position[4];
 	float ambient[4], diffuse[4], specular[4];
-	float attenuation[3];		/* c, l, q, none below 0; all 0: as 1, 0, 0 */
-	float spot_direction[3];	/* all 0: as 0, 0, -1 */
-	float spot_exponent;		/* how fast it gets less bright, 0 to 128 */
-	float spot_cutoff;		/* degrees, above 0 to 90; 0, or 180 as in OpenGL: no spot */
-	uint32_t reserved;		/* 0 */
+	float attenuation[3];    /* c, l, q, none below 0; all 0: as 1, 0, 0 */
+	float spot_direction[3]; /* all 0: as 0, 0, -1 */
+	float spot_exponent;     /* how fast it gets less bright, 0 to 128 */
+	float spot_cutoff;       /* degrees, above 0 to 90; 0, or 180 as in OpenGL: no spot */
+	uint32_t reserved;       /* 0 */
 };
 #define ACCEL_LIGHT(...) ACCEL_SIZED(accel_light, __VA_ARGS__)
 
@@ -414,7 +420,7 @@ enum accel_topology {
 enum accel_type {
 	ACCEL_TYPE_FLOAT,
 	ACCEL_TYPE_DOUBLE,
-	ACCEL_TYPE_FIXED,		/* s15.16 */
+	ACCEL_TYPE_FIXED, /* s15.16 */
 	ACCEL_TYPE_BYTE,
 	ACCEL_TYPE_UBYTE,
 	ACCEL_TYPE_SHORT,
@@ -431,24 +437,24 @@ enum accel_type {
  *					    .position = { .data = corner });
  */
 struct accel_array {
-	const void *data;		/* NULL: there is none */
-	uint32_t stride;		/* bytes from an element to the next; 0: no gaps */
+	const void *data; /* NULL: there is none */
+	uint32_t stride;  /* bytes from an element to the next; 0: no gaps */
 	enum accel_type type;
-	uint8_t components;		/* numbers of an element; 0: all of the attribute */
-	bool normalised;		/* the whole range of an integer type stands for 0 to 1 */
-	bool constant;			/* the first element is all vertices', @stride is ignored */
+	uint8_t components; /* numbers of an element; 0: all of the attribute */
+	bool normalised;    /* the whole range of an integer type stands for 0 to 1 */
+	bool constant;      /* the first element is all vertices', @stride is ignored */
 };
 
 struct accel_mesh {
-	size_t size;			/* of this struct, bytes: set by ACCEL_MESH() */
+	size_t size; /* of this struct, bytes: set by ACCEL_MESH() */
 	enum accel_topology topology;
-	uint32_t vertices;		/* that the arrays have */
-	struct accel_array position;	/* x, y, z; or x and y, and z is 0 */
-	struct accel_array normal;	/* x, y, z, of any length; none: flat, from the triangle */
-	struct accel_array colour;	/* RGBA; or RGB, and alpha is 1 */
-	const uint32_t *index;		/* of vertices; NULL: all of them in order */
-	uint32_t indices;		/* ignored without @index */
-	uint32_t reserved;		/* 0 */
+	uint32_t vertices;           /* that the arrays have */
+	struct accel_array position; /* x, y, z; or x and y, and z is 0 */
+	struct accel_array normal;   /* x, y, z, of any length; none: flat, from the triangle */
+	struct accel_array colour;   /* RGBA; or RGB, and alpha is 1 */
+	const uint32_t *index;       /* of vertices; NULL: all of them in order */
+	uint32_t indices;            /* ignored without @index */
+	uint32_t reserved;           /* 0 */
 };
 #define ACCEL_MESH(...) ACCEL_SIZED(accel_mesh, __VA_ARGS__)
 
@@ -460,21 +466,21 @@ struct accel_mesh {
 
 /* What a target, all of it, is cleared to. */
 struct accel_clear {
-	size_t size;			/* of this struct, bytes: set by ACCEL_CLEAR() */
-	unsigned int mask;		/* what is cleared, of ACCEL_CLEAR_* */
-	float rgba[4];			/* limited to 0..1 */
-	float depth;			/* 0 to 1 */
+	size_t size;       /* of this struct, bytes: set by ACCEL_CLEAR() */
+	unsigned int mask; /* what is cleared, of ACCEL_CLEAR_* */
+	float rgba[4];     /* limited to 0..1 */
+	float depth;       /* 0 to 1 */
 };
 #define ACCEL_CLEAR(...) ACCEL_SIZED(accel_clear, __VA_ARGS__)
 
 /* What became of the triangles of a frame. A new frame begins at zero. */
 struct accel_draw_stats {
-	uint64_t triangles_in;		/* before clipping, culling and splitting */
-	uint64_t culled;		/* out of view, turned away, or between the pixels */
-	uint64_t clipped;		/* cut, with a part left that is drawn */
-	uint64_t flat, linear, second_order;	/* drawn, after splitting */
-	uint64_t split;			/* triangles that were split */
-	uint64_t records;		/* TRIANGLE packets: a triangle in a tile */
+	uint64_t triangles_in;               /* before clipping, culling and splitting */
+	uint64_t culled;                     /* out of view, turned away, or between the pixels */
+	uint64_t clipped;                    /* cut, with a part left that is drawn */
+	uint64_t flat, linear, second_order; /* drawn, after splitting */
+	uint64_t split;                      /* triangles that were split */
+	uint64_t records;                    /* TRIANGLE packets: a triangle in a tile */
 	uint64_t stream_words;
 	uint64_t tiles;
 };
@@ -593,16 +599,15 @@ int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_
  * whatever became of it.
  * -EINVAL: as there. -EIO, -ETIME, -ENODEV, -ENOMEM: as there, or as accel_fence_wait.
  */
-int accel_stream_finish(struct accel_stream *stream, uint32_t *response,
-			uint32_t response_words);
+int accel_stream_finish(struct accel_stream *stream, uint32_t *response, uint32_t response_words);
 
 /* ---- fence ---- */
 
 /* How a job ended. */
 struct accel_fence_status {
-	unsigned int fault;		/* enum gloss_fault; 0: none */
-	uint32_t offset;		/* the fault's word of the stream; without one its length */
-	uint32_t response_words;	/* words of the response that are valid */
+	unsigned int fault;      /* enum gloss_fault; 0: none */
+	uint32_t offset;         /* the fault's word of the stream; without one its length */
+	uint32_t response_words; /* words of the response that are valid */
 };
 
 /*

@@ -19,51 +19,51 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 
 /* Fences of jobs that nobody waits for, in the order in which they were submitted. */
 struct accel_detached {
-	pthread_mutex_t lock;		/* of the list */
+	pthread_mutex_t lock; /* of the list */
 	struct accel_fence *first, **last;
-	pthread_mutex_t turn;		/* who has it takes fences from the list */
-	int result;			/* under turn: of the first that failed since it was told */
-	_Atomic uint64_t ended;		/* the last of their jobs that is known to have ended */
+	pthread_mutex_t turn;   /* who has it takes fences from the list */
+	int result;             /* under turn: of the first that failed since it was told */
+	_Atomic uint64_t ended; /* the last of their jobs that is known to have ended */
 };
 
 struct accel_device {
 	const struct accel_transport_ops *ops;
-	void *state;			/* the transport's */
+	void *state; /* the transport's */
 	struct accel_transport_info info;
-	accel_message_fn message;	/* may be NULL */
+	accel_message_fn message; /* may be NULL */
 	void *message_data;
-	struct accel_dump *dump;	/* NULL: no job is written to files */
-	pid_t process;			/* that opened it; in a child of fork() nothing works */
-	pthread_mutex_t lock;		/* of calls of ops, see transport.h */
+	struct accel_dump *dump; /* NULL: no job is written to files */
+	pid_t process;           /* that opened it; in a child of fork() nothing works */
+	pthread_mutex_t lock;    /* of calls of ops, see transport.h */
 	atomic_uint references;
 	/* Without references, and their memory still to be freed by who has the lock next. */
 	struct accel_buffer *_Atomic freed;
-	struct accel_buffer *busy;	/* under lock: of those freed what a detached job uses */
+	struct accel_buffer *busy; /* under lock: of those freed what a detached job uses */
 	struct accel_detached detached;
 };
 
 struct accel_buffer {
 	struct accel_device *device;
-	uint64_t object;		/* of the transport */
-	uint64_t size;			/* bytes */
+	uint64_t object; /* of the transport */
+	uint64_t size;   /* bytes */
 	atomic_uint references;
-	_Atomic uint64_t busy;		/* the last detached job that uses it; 0: none has */
-	struct accel_buffer *next;	/* of those freed */
+	_Atomic uint64_t busy;     /* the last detached job that uses it; 0: none has */
+	struct accel_buffer *next; /* of those freed */
 };
 
 struct accel_target {
 	struct accel_device *device;
-	int width, height;		/* pixels, as asked for */
-	uint32_t pitch;			/* bytes from a row to the next, of both surfaces */
-	uint32_t rows;			/* height padded to ACCEL_TARGET_ALIGN */
+	int width, height; /* pixels, as asked for */
+	uint32_t pitch;    /* bytes from a row to the next, of both surfaces */
+	uint32_t rows;     /* height padded to ACCEL_TARGET_ALIGN */
 	struct accel_buffer *colour, *depth;
 };
 
 struct accel_state {
 	float modelview[16], projection[16];
 	struct {
-		int x, y, width, height;	/* width < 0: the whole target */
-	} viewport, scissor;			/* width < 0: no scissor */
+		int x, y, width, height; /* width < 0: the whole target */
+	} viewport, scissor;             /* width < 0: no scissor */
 	float depth_near, depth_far;
 	enum accel_compare depth_func;
 	bool depth_write;
@@ -71,7 +71,7 @@ struct accel_state {
 	enum accel_cull cull;
 	bool lighting, two_sided, local_viewer, colour_material;
 	float ambient[4];
-	struct accel_material material[2];	/* front, back */
+	struct accel_material material[2]; /* front, back */
 	struct accel_light light[ACCEL_LIGHTS];
 	enum accel_shading shading;
 };
@@ -83,8 +83,7 @@ struct accel_state {
  */
 int accel_sized_in(void *own, size_t known, const void *given);
 /* Says why accel_sized_in returned @err for a struct called @what, which @macro begins. */
-void accel_sized_message(struct accel_device *device, const char *what, const char *macro,
-			 int err);
+void accel_sized_message(struct accel_device *device, const char *what, const char *macro, int err);
 /* As much of a struct of the library, of @known bytes, as the program has room for; the rest of
  * its @size bytes is zero. */
 void accel_sized_out(void *given, size_t size, const void *own, size_t known);

@@ -68,8 +68,7 @@ void accel_buffer_busy(struct accel_buffer *buffer, uint64_t sequence)
 {
 	uint64_t before = atomic_load(&buffer->busy);
 
-	while (before < sequence &&
-	       !atomic_compare_exchange_weak(&buffer->busy, &before, sequence))
+	while (before < sequence && !atomic_compare_exchange_weak(&buffer->busy, &before, sequence))
 		;
 }
 

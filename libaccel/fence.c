@@ -10,18 +10,18 @@
 struct fence_job {
 	struct fence_job *next;
 	uint64_t sequence;
-	struct accel_buffer *buffer[GLOSS_SLOTS];	/* a reference each */
+	struct accel_buffer *buffer[GLOSS_SLOTS]; /* a reference each */
 	unsigned int buffers;
 };
 
 struct accel_fence {
-	struct accel_device *device;	/* a reference, until it is detached */
-	struct accel_fence *next;	/* of those detached */
-	struct fence_job *first, **last;	/* in the order in which the board has them */
-	struct fence_job *spare;	/* for accel_fence_add */
-	uint64_t sequence;		/* of the last of its jobs */
-	int result;			/* of the first job that failed, or else of the last */
-	struct accel_fence_status status;	/* likewise */
+	struct accel_device *device;      /* a reference, until it is detached */
+	struct accel_fence *next;         /* of those detached */
+	struct fence_job *first, **last;  /* in the order in which the board has them */
+	struct fence_job *spare;          /* for accel_fence_add */
+	uint64_t sequence;                /* of the last of its jobs */
+	int result;                       /* of the first job that failed, or else of the last */
+	struct accel_fence_status status; /* likewise */
 };
 
 struct accel_fence *accel_fence_new(struct accel_device *device)
@@ -84,7 +84,7 @@ static void fence_message(struct accel_fence *fence, int err)
 		accel_device_message(fence->device, "the board failed and was reset");
 	else if (err == -ETIME)
 		accel_device_message(fence->device, "the job ran for longer than a job may and was "
-				     "ended; draw less at a time");
+						    "ended; draw less at a time");
 	else if (err)
 		accel_device_message(fence->device, "the job was lost: %s",
 				     accel_device_why(fence->device, err));

@@ -13,15 +13,15 @@
 
 struct accel_stream {
 	struct accel_device *device;
-	bool is_copy;			/* of the library's own: not dumped */
-	uint32_t *words;		/* its own */
+	bool is_copy;    /* of the library's own: not dumped */
+	uint32_t *words; /* its own */
 	size_t count, room;
 	/* What it consists of if some words are lent; with NULL the next of its own. */
 	struct accel_transport_part *part;
 	size_t parts, parts_room;
-	size_t in_parts;		/* of its own words */
-	size_t lent;			/* words */
-	struct accel_buffer *buffer[GLOSS_SLOTS];	/* a reference each */
+	size_t in_parts;                          /* of its own words */
+	size_t lent;                              /* words */
+	struct accel_buffer *buffer[GLOSS_SLOTS]; /* a reference each */
 	unsigned int rights[GLOSS_SLOTS];
 	unsigned int slots;
 };
@@ -213,8 +213,7 @@ static unsigned int stream_find(const struct accel_stream *stream,
 	return slot;
 }
 
-int accel_stream_slot(struct accel_stream *stream, struct accel_buffer *buffer,
-		      unsigned int rights)
+int accel_stream_slot(struct accel_stream *stream, struct accel_buffer *buffer, unsigned int rights)
 {
 	unsigned int slot = stream_find(stream, buffer);
 
@@ -246,8 +245,8 @@ const uint32_t *accel_stream_words(const struct accel_stream *stream, size_t *co
 	return stream->words;
 }
 
-static int stream_start(struct accel_stream *stream, uint32_t *response,
-			uint32_t response_words, uint64_t *sequence)
+static int stream_start(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
+			uint64_t *sequence)
 {
 	struct accel_transport_slot slot[GLOSS_SLOTS];
 	const struct accel_transport_job job = {
@@ -339,7 +338,8 @@ int accel_stream_submit(struct accel_stream *stream, uint32_t *response, uint32_
 	int err;
 
 	if (response_words && !out) {
-		accel_device_message(stream->device, "a response that nobody waits for: give "
+		accel_device_message(stream->device,
+				     "a response that nobody waits for: give "
 				     "accel_stream_submit a fence, or call accel_stream_finish");
 		return -EINVAL;
 	}

@@ -10,10 +10,10 @@ struct accel_draw {
 	struct accel_device *device;
 	struct accel_stream *stream;
 	struct accel_bin bin;
-	struct accel_target target;	/* of this frame, its buffers a reference each */
-	bool has_target;		/* a frame was begun */
-	struct accel_draw_stats stats;	/* of this frame, or the one before */
-	struct accel_vertex *vertex;	/* scratch, kept from mesh to mesh */
+	struct accel_target target;    /* of this frame, its buffers a reference each */
+	bool has_target;               /* a frame was begun */
+	struct accel_draw_stats stats; /* of this frame, or the one before */
+	struct accel_vertex *vertex;   /* scratch, kept from mesh to mesh */
 	uint32_t vertices;
 	struct accel_edge_entry *cache;
 	uint64_t passes;
@@ -117,8 +117,10 @@ static int draw_clear_take(struct accel_draw *draw, const struct accel_clear *gi
 	if (!given)
 		return 0;
 	if (!draw_clear_valid(&known)) {
-		accel_device_message(draw->device, "a clear of mask %u: a colour has four finite "
-				     "numbers, a depth is 0 to 1", known.mask);
+		accel_device_message(draw->device,
+				     "a clear of mask %u: a colour has four finite "
+				     "numbers, a depth is 0 to 1",
+				     known.mask);
 		return -EINVAL;
 	}
 	clear->mask = known.mask;

@@ -51,9 +51,9 @@ static double draw(struct bench *bench, const struct accel_mesh *mesh,
 		   struct accel_draw_stats *stats)
 {
 	double start = thread_time(), time;
-	static const struct accel_clear black =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .rgba = { 0, 0, 0, 1 },
-			    .depth = 1);
+	static const struct accel_clear black = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR |
+								    ACCEL_CLEAR_DEPTH,
+							    .rgba = { 0, 0, 0, 1 }, .depth = 1);
 	struct accel_fence *fence;
 
 	need(accel_draw_begin(bench->draw, bench->target, &black), "accel_draw_begin");
@@ -122,9 +122,10 @@ static uint64_t words(struct bench *bench, enum accel_shading shading, uint32_t 
 		{ 0.1f, 0, 1 }, { 0, 0.2f, 1 }, { -0.2f, 0, 1 },
 		{ 0, 0.1f, 1 }, { 0.2f, 0, 1 }, { 0.1f, 0.1f, 1 },
 	};
-	const struct accel_mesh mesh =
-		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = count * 3,
-			   .position = { .data = position }, .normal = { .data = normal });
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						  .vertices = count * 3,
+						  .position = { .data = position },
+						  .normal = { .data = normal });
 	struct accel_draw_stats stats;
 
 	scene_init(&bench->scene, SIZE, SIZE);

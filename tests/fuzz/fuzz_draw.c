@@ -52,13 +52,13 @@ static bool one_in(int count)
 	return below(count) == 0;
 }
 
-static int wildness;			/* of this frame: one number in so many is special */
+static int wildness; /* of this frame: one number in so many is special */
 
 static float any_float(void)
 {
 	static const float special[] = {
-		0, -0.0f, 1, -1, NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX,
-		FLT_MIN, 1e-45f, -1e-45f, 1e20f, -1e20f, 1e-20f, 1e10f,
+		0,        -0.0f,   1,      -1,      NAN,   INFINITY, -INFINITY, FLT_MAX,
+		-FLT_MAX, FLT_MIN, 1e-45f, -1e-45f, 1e20f, -1e20f,   1e-20f,    1e10f,
 	};
 
 	if (wildness && one_in(wildness))
@@ -94,7 +94,7 @@ static int any_int(void)
 
 /* ---- memory that runs out, for this thread, when @left allocations have succeeded ---- */
 
-static _Thread_local int left = -1;	/* -1: it does not */
+static _Thread_local int left = -1; /* -1: it does not */
 static _Thread_local bool failed;
 static uint64_t short_of_memory;
 
@@ -176,7 +176,8 @@ static void boards_open(void)
 		need(!accel_device_new(name[i], NULL, NULL, &boards[i].device), "no model", i);
 		for (int j = 0; j < TARGETS; j++)
 			need(!accel_target_new(boards[i].device, size[j][0], size[j][1],
-					       &boards[i].target[j]), "no target", j);
+					       &boards[i].target[j]),
+			     "no target", j);
 		need(!accel_draw_new(boards[i].device, &boards[i].draw), "no draw", i);
 	}
 	need(!accel_state_new(&state), "no state", 0);
@@ -449,8 +450,8 @@ static void frame(uint64_t seed)
 			submit(board);
 		/* Another target, or another board's, which is refused. */
 		if (one_in(6))
-			begin(board, one_in(3) ? boards[below(DEVICES)].target[below(TARGETS)] :
-						 target);
+			begin(board,
+			      one_in(3) ? boards[below(DEVICES)].target[below(TARGETS)] : target);
 	}
 	frame_end(board);
 	accel_target_free(own);
@@ -475,7 +476,8 @@ int main(int argc, char **argv)
 		frame(seed + (uint64_t)n);
 	boards_close();
 	printf("%ld frames: %llu of %llu meshes taken, %llu records drawn, memory ran out %llu "
-	       "times\n", frames, (unsigned long long)taken, (unsigned long long)meshes,
+	       "times\n",
+	       frames, (unsigned long long)taken, (unsigned long long)meshes,
 	       (unsigned long long)drawn, (unsigned long long)short_of_memory);
 	return 0;
 }

@@ -200,16 +200,16 @@ static void strip_and_fan(struct stage *stage)
 {
 	static const float position[7][3] = {
 		{ -0.9f, -0.8f, 0 }, { -0.9f, 0.8f, 0 }, { -0.5f, -0.6f, 0 }, { -0.4f, 0.7f, 0 },
-		{ 0, -0.8f, 0 }, { 0.1f, 0.6f, 0 }, { 0.9f, 0.1f, 0 },
+		{ 0, -0.8f, 0 },     { 0.1f, 0.6f, 0 },  { 0.9f, 0.1f, 0 },
 	};
 	static const float colour[7][4] = {
-		{ 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 }, { 1, 1, 0, 1 },
+		{ 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 },    { 1, 1, 0, 1 },
 		{ 1, 0, 1, 1 }, { 0, 1, 1, 1 }, { 1, 1, 1, 0.5f },
 	};
 	static const uint32_t fan[] = { 4, 6, 5, 3 };
-	struct accel_mesh mesh =
-		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP, .vertices = 7,
-			   .position = { .data = position }, .colour = { .data = colour });
+	struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP,
+					    .vertices = 7, .position = { .data = position },
+					    .colour = { .data = colour });
 
 	mesh.vertices = 4;
 	need(accel_draw_mesh(stage->draw, stage->state, &mesh), "strip");
@@ -245,8 +245,8 @@ enum { SCENES = sizeof(scenes) / sizeof(*scenes) };
 
 static void render(struct stage *stage, int number, struct picture *picture)
 {
-	struct accel_clear clear =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = 1);
+	struct accel_clear clear = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
+					       .depth = 1);
 
 	need(accel_state_new(&stage->state), "accel_state_new");
 	set_stage(stage);

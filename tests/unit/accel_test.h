@@ -32,10 +32,10 @@ static inline void messages_take(void *data, const char *line)
 	messages->count++;
 }
 
-#define assert_message(messages, part)                                                             \
-	do {                                                                                       \
-		if (!strstr((messages)->last, part))                                               \
-			fail_msg("\"%s\" does not say \"%s\"", (messages)->last, part);            \
+#define assert_message(messages, part)                                                  \
+	do {                                                                            \
+		if (!strstr((messages)->last, part))                                    \
+			fail_msg("\"%s\" does not say \"%s\"", (messages)->last, part); \
 	} while (0)
 
 static inline struct accel_device *device_open(const char *name, struct messages *messages)
@@ -70,8 +70,8 @@ static inline unsigned int test_patience_s(void)
 static inline int draw_begin(struct accel_draw *draw, struct accel_target *target,
 			     const float rgba[4], float depth)
 {
-	struct accel_clear clear =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = depth);
+	struct accel_clear clear = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
+					       .depth = depth);
 
 	memcpy(clear.rgba, rgba, sizeof(clear.rgba));
 	return accel_draw_begin(draw, target, &clear);

@@ -15,8 +15,8 @@
 /* ---- an allocator that fails when asked to ---- */
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static long calls, failing;		/* the call that fails, from 1; 0: none */
-static long blocks, mappings, threads;	/* that are there now */
+static long calls, failing;            /* the call that fails, from 1; 0: none */
+static long blocks, mappings, threads; /* that are there now */
 
 static bool fails(long *count)
 {
@@ -228,7 +228,8 @@ static inline void fail_each_call(const char *name, bool helps_itself)
 				 err);
 		if (blocks || mappings || threads)
 			fail_msg("call %ld of %ld failed and left %ld blocks, %ld mappings, "
-				 "%ld threads", failing, all, blocks, mappings, threads);
+				 "%ld threads",
+				 failing, all, blocks, mappings, threads);
 	}
 	failing = 0;
 	assert_int_equal(live(name), 0);

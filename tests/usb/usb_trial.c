@@ -10,18 +10,18 @@
 #include "stream_random.h"
 
 #define ITEMS 4
-#define SIDE_MAX 160			/* pixels */
+#define SIDE_MAX 160 /* pixels */
 #define TRIANGLES 5
-#define READ_WORDS 4096u		/* of each slot */
+#define READ_WORDS 4096u /* of each slot */
 #define DAMAGED_EVERY 4
-#define COPY_BLOCK (GLOSS_LENGTH_MAX - 2)	/* words of a packet */
+#define COPY_BLOCK (GLOSS_LENGTH_MAX - 2) /* words of a packet */
 #define COPY_BLOCKS 100
 
 /* What a device did for a job of the generator. */
 struct job_side {
 	struct accel_buffer *buffer[GLOSS_SLOTS];
 	struct accel_stream *stream;
-	struct accel_fence *fence[2];		/* of the job, and of reading back */
+	struct accel_fence *fence[2]; /* of the job, and of reading back */
 	struct accel_fence_status status;
 	uint32_t *response, *content;
 	int result[2];
@@ -52,7 +52,7 @@ struct item {
 	uint32_t content_words;
 	struct stream_random random;
 	int width, height;
-	struct job_side job[2];			/* of the board, of the model */
+	struct job_side job[2]; /* of the board, of the model */
 	struct picture_side drawn[2];
 	struct copy copy;
 };
@@ -128,7 +128,9 @@ static int job_slots(const struct item *item, struct job_side *side, unsigned in
 	for (unsigned int n = 0; n < GLOSS_SLOTS; n++) {
 		unsigned int own = item->random.job.slot[n].rights;
 		int slot = accel_stream_slot(side->stream, side->buffer[n],
-					     rights ? rights : own ? own : ACCEL_SLOT_READ);
+					     rights ? rights :
+					     own    ? own :
+						      ACCEL_SLOT_READ);
 
 		if (slot < 0)
 			return slot;
@@ -143,7 +145,8 @@ static int job_read_back(const struct item *item, struct job_side *side)
 
 	for (unsigned int n = 0; n < GLOSS_SLOTS && !err; n++) {
 		const struct gloss_read_memory packet = {
-			.slot = n, .count = slot_read_words(&item->random.job.slot[n]),
+			.slot = n,
+			.count = slot_read_words(&item->random.job.slot[n]),
 		};
 
 		gloss_read_memory_pack(words, &packet);
@@ -235,8 +238,7 @@ static void job_compare(const struct item *item)
 			       (unsigned long long)item->seed, is->fault, is->offset,
 			       is->response_words, ought->fault, ought->offset,
 			       ought->response_words);
-	compare_words(item, "the answer", board->response, model->response,
-		      ought->response_words);
+	compare_words(item, "the answer", board->response, model->response, ought->response_words);
 	if (board->fence[1] && !board->result[1])
 		compare_words(item, "all slots", board->content, model->content,
 			      item->content_words);
@@ -247,12 +249,14 @@ static void job_compare(const struct item *item)
 static int picture_mesh(const struct item *item, struct accel_draw *draw,
 			struct accel_target *target, struct accel_state *state)
 {
-	static const struct accel_clear black =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = 1);
+	static const struct accel_clear black = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR |
+								    ACCEL_CLEAR_DEPTH,
+							    .depth = 1);
 	float position[3 * TRIANGLES][3], colour[3 * TRIANGLES][4];
-	const struct accel_mesh mesh =
-		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3 * TRIANGLES,
-			   .position = { .data = position }, .colour = { .data = colour });
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						  .vertices = 3 * TRIANGLES,
+						  .position = { .data = position },
+						  .colour = { .data = colour });
 	uint64_t seed = item->seed;
 	int err;
 
@@ -330,7 +334,8 @@ static int copy_emit(struct copy *copy)
 	for (uint32_t block = 0; block < copy->blocks && !err; block++) {
 		const uint32_t offset = 4 * COPY_BLOCK * block;
 		const struct gloss_write_memory write = { .slot = 0, .offset = offset };
-		const struct gloss_read_memory read = { .slot = 0, .offset = offset,
+		const struct gloss_read_memory read = { .slot = 0,
+							.offset = offset,
 							.count = COPY_BLOCK };
 
 		gloss_write_memory_pack(words, &write, 2 + COPY_BLOCK);

@@ -13,7 +13,7 @@ static void grey(float rgba[4], float value)
 static struct accel_light light_white(void)
 {
 	struct accel_light light = ACCEL_LIGHT(.enabled = true, .attenuation = { 1, 0, 0 },
-						 .spot_direction = { 0, 0, -1 });
+					       .spot_direction = { 0, 0, -1 });
 
 	grey(light.ambient, 0);
 	grey(light.diffuse, 1);
@@ -91,8 +91,8 @@ int scene_apply(const struct scene *scene, struct accel_state *state)
 int scene_draw(const struct scene *scene, enum accel_shading shading, struct accel_draw *draw,
 	       struct accel_target *target, struct accel_draw_stats *stats)
 {
-	struct accel_clear clear =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH, .depth = 1);
+	struct accel_clear clear = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
+					       .depth = 1);
 	struct accel_state *state;
 	int ret;
 

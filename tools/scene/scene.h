@@ -6,16 +6,16 @@
 #include "accel.h"
 
 struct scene {
-	int width, height;		/* of the picture, pixels */
-	int left, top;			/* the picture's pixel that is the target's first */
-	struct accel_mesh mesh;		/* lent, of packed floats */
+	int width, height;      /* of the picture, pixels */
+	int left, top;          /* the picture's pixel that is the target's first */
+	struct accel_mesh mesh; /* lent, of packed floats */
 	float modelview[16], projection[16];
 	enum accel_cull cull;
 	bool two_sided, local_viewer;
-	bool painted;			/* the mesh's colours are the material's, if it has them */
+	bool painted; /* the mesh's colours are the material's, if it has them */
 	float background[4];
 	float ambient[4];
-	struct accel_material material[2];	/* front, back */
+	struct accel_material material[2]; /* front, back */
 	struct accel_light light[ACCEL_LIGHTS];
 };
 

@@ -15,7 +15,7 @@ struct fixture {
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_draw *draw;
-	struct accel_state *state;	/* identity: positions are NDC */
+	struct accel_state *state; /* identity: positions are NDC */
 };
 
 static uint32_t pixels[SIDE * SIDE], others[SIDE * SIDE];
@@ -120,10 +120,10 @@ static void a_clear_with_a_wrong_argument_is_refused(void **state)
 		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .depth = NAN),
 		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .depth = 1.1f),
 	};
-	static const struct accel_clear depth =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH, .rgba = { NAN }, .depth = 1);
-	static const struct accel_clear colour =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR, .depth = NAN);
+	static const struct accel_clear depth = ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH,
+							    .rgba = { NAN }, .depth = 1);
+	static const struct accel_clear colour = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR,
+							     .depth = NAN);
 	struct fixture *f = *state;
 
 	for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++) {
@@ -349,7 +349,9 @@ static void what_is_left_over_of_three_is_not_drawn(void **state)
 static void flat_takes_the_colour_of_the_last_vertex(void **state)
 {
 	struct fixture *f = *state;
-	const float colour[4][4] = { { 1, 1, 1, 1 }, { 1, 1, 1, 1 }, { 1, 0, 0, 1 }, { 1, 0, 0, 1 } };
+	const float colour[4][4] = {
+		{ 1, 1, 1, 1 }, { 1, 1, 1, 1 }, { 1, 0, 0, 1 }, { 1, 0, 0, 1 }
+	};
 	struct accel_mesh mesh = square_mesh();
 
 	mesh.colour.data = colour;
@@ -364,10 +366,10 @@ static void back_faces_have_their_own_material_if_they_are_two_sided(void **stat
 	struct fixture *f = *state;
 	const float normal[4][3] = { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } };
 	const uint32_t turned[6] = { 2, 1, 0, 3, 2, 0 };
-	const struct accel_material front =
-		ACCEL_MATERIAL(.emission = { 1, 0, 0, 1 }, .diffuse[3] = 1);
-	const struct accel_material back =
-		ACCEL_MATERIAL(.emission = { 0, 1, 0, 1 }, .diffuse[3] = 1);
+	const struct accel_material front = ACCEL_MATERIAL(.emission = { 1, 0, 0, 1 },
+							   .diffuse[3] = 1);
+	const struct accel_material back = ACCEL_MATERIAL(.emission = { 0, 1, 0, 1 },
+							  .diffuse[3] = 1);
 	struct accel_mesh mesh = square_mesh();
 
 	mesh.normal.data = normal;
@@ -446,8 +448,9 @@ static void nothing_is_drawn_beside_the_viewport(void **state)
 /* The mesh reaches far beside the target: what is visible is all that keeps it inside. */
 static void a_rectangle_at_the_ends_of_int_draws_what_of_it_is_on_the_target(void **state)
 {
-	static const int end[] = { INT_MIN, INT_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT_MAX - 1,
-				   INT_MAX };
+	static const int end[] = {
+		INT_MIN, INT_MIN + 1, -SIDE, -1, 0, 1, SIDE, INT_MAX - 1, INT_MAX
+	};
 	struct fixture *f = *state;
 	float wide[4][3];
 	struct accel_mesh mesh = square_mesh();
@@ -591,7 +594,8 @@ static void counts_are_those_of_the_frame(void **state)
 /* The near plane cuts it, and what is left is between four pixels. */
 static void a_triangle_that_clipping_leaves_nothing_of_counts_as_culled_once(void **state)
 {
-	static const float sliver[3][3] = { { 0.001f, 0.001f, -2 }, { 0.009f, 0.001f, 0 },
+	static const float sliver[3][3] = { { 0.001f, 0.001f, -2 },
+					    { 0.009f, 0.001f, 0 },
 					    { 0.001f, 0.009f, 0 } };
 	struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
 					    .position = { .data = sliver });
@@ -638,15 +642,14 @@ static float random_float(uint64_t *seed)
 
 	if (!test_below(seed, 30))
 		return special[test_below(seed, 8)];
-	return ldexpf((float)(int)test_below(seed, 2001) / 1000 - 1,
-		      (int)test_below(seed, 12) - 4);
+	return ldexpf((float)(int)test_below(seed, 2001) / 1000 - 1, (int)test_below(seed, 12) - 4);
 }
 
 static void random_state(uint64_t *seed, struct accel_state *s)
 {
 	struct accel_material material = ACCEL_MATERIAL(.shininess = (float)test_below(seed, 1001));
-	struct accel_light light =
-		ACCEL_LIGHT(.enabled = true, .attenuation[0] = 1, .spot_cutoff = 180);
+	struct accel_light light = ACCEL_LIGHT(.enabled = true, .attenuation[0] = 1,
+					       .spot_cutoff = 180);
 
 	state_look(s, random_float(seed));
 	for (int i = 0; i < 4; i++) {
@@ -672,7 +675,8 @@ static void random_state(uint64_t *seed, struct accel_state *s)
 	accel_state_set_colour_mask(s, test_below(seed, 2), true, test_below(seed, 2), true);
 	accel_state_set_viewport(s, (int)test_below(seed, 200) - 100, (int)test_random(seed) % 300,
 				 (int)test_random(seed) % 500, (int)test_below(seed, 3000));
-	accel_state_set_scissor(s, (int)test_random(seed) % 99, -5, (int)test_random(seed) % 99, 80);
+	accel_state_set_scissor(s, (int)test_random(seed) % 99, -5, (int)test_random(seed) % 99,
+				80);
 }
 
 static void whatever_is_drawn_the_board_takes_it(void **state)
@@ -685,12 +689,12 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 
 	for (int n = 0; n < 3000; n++) {
 		float position[12][3], normal[12][3], colour[12][4];
-		const struct accel_mesh mesh =
-			ACCEL_MESH(.topology = (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES +
-								     test_below(&seed, 3)),
-				   .vertices = 12, .position = { .data = position },
-				   .normal = { .data = test_below(&seed, 2) ? normal : NULL },
-				   .colour = { .data = test_below(&seed, 2) ? colour : NULL });
+		const struct accel_mesh mesh = ACCEL_MESH(
+				.topology = (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES +
+								  test_below(&seed, 3)),
+				.vertices = 12, .position = { .data = position },
+				.normal = { .data = test_below(&seed, 2) ? normal : NULL },
+				.colour = { .data = test_below(&seed, 2) ? colour : NULL });
 
 		for (int i = 0; i < 36; i++) {
 			position[i / 3][i % 3] = random_float(&seed);

@@ -8,8 +8,8 @@
 
 #define SIDE 256
 
-static long calls, failing;		/* the call that fails, from 1; 0: none */
-static long blocks;			/* that are there now */
+static long calls, failing; /* the call that fails, from 1; 0: none */
+static long blocks;         /* that are there now */
 
 static bool fails(void)
 {
@@ -66,7 +66,7 @@ struct fixture {
 	struct accel_state *state;
 };
 
-static bool submitting;			/* the frame is complete */
+static bool submitting; /* the frame is complete */
 
 /* Every call of a frame, to the first error. */
 static int frame(const struct fixture *f, struct accel_draw *draw)

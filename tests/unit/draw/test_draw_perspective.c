@@ -23,9 +23,22 @@ static uint32_t pixels[SIDE * SIDE];
 /* Clip x, y are eye x, y; w is how far the eye is away. */
 static void project(struct accel_state *state, float near, float far)
 {
-	const float projection[16] = { 1, 0, 0, 0, 0, 1, 0, 0,
-				       0, 0, (far + near) / (near - far), -1,
-				       0, 0, 2 * far * near / (near - far), 0 };
+	const float projection[16] = { 1,
+				       0,
+				       0,
+				       0,
+				       0,
+				       1,
+				       0,
+				       0,
+				       0,
+				       0,
+				       (far + near) / (near - far),
+				       -1,
+				       0,
+				       0,
+				       2 * far * near / (near - far),
+				       0 };
 
 	accel_state_set_projection(state, projection);
 }
@@ -63,9 +76,10 @@ struct coloured {
 static void draw_coloured(struct fixture *f, const struct coloured *t,
 			  struct accel_draw_stats *stats)
 {
-	const struct accel_mesh mesh =
-		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
-			   .position = { .data = t->position }, .colour = { .data = t->colour });
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						  .vertices = 3,
+						  .position = { .data = t->position },
+						  .colour = { .data = t->colour });
 
 	assert_int_equal(draw_begin(f->draw, f->target, (const float[4]){ 0 }, 1), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->state, &mesh), 0);
@@ -108,8 +122,8 @@ static double mix(const struct coloured *t, const double share[3], int channel)
 
 /* Adds up how far the picture is off, over channels; pixels on the border are not looked at. */
 struct off {
-	double most, sum, alpha;	/* of colour; of alpha */
-	long count, far;		/* of them off by more than two steps */
+	double most, sum, alpha; /* of colour; of alpha */
+	long count, far;         /* of them off by more than two steps */
 	int x, y;
 };
 
@@ -234,12 +248,13 @@ static void a_ground_under_the_eye_is_right_up_to_the_horizon(void **state)
 /* What OpenGL lights are the vertices, also of a triangle that loses one at the near plane. */
 static void light_is_that_of_the_vertices_though_they_are_clipped(void **state)
 {
-	static const float normal[3][3] = { { 0.6f, 0, 0.8f }, { -0.6f, 0, 0.8f },
+	static const float normal[3][3] = { { 0.6f, 0, 0.8f },
+					    { -0.6f, 0, 0.8f },
 					    { 0, 0.8f, 0.6f } };
 	struct coloured t = { .position = { { -2, -1, -6 }, { 2, -1.5f, -4 }, { 0.2f, 1, 0.5f } } };
-	const struct accel_mesh mesh =
-		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
-			   .position = { .data = t.position }, .normal = { .data = normal });
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						  .vertices = 3, .position = { .data = t.position },
+						  .normal = { .data = normal });
 	struct accel_state *shiny = state_shiny(5);
 	struct accel_lighting lighting;
 	struct fixture *f = *state;
@@ -278,10 +293,10 @@ static void without_perspective_a_triangle_stays_one_of_linear_colours(void **st
 	for (int n = 0; n < 5; n++) {
 		/* w from 2 to 2.01: a middle is 0.64 steps from the straight line. */
 		const float w[5] = { 2, 2, 2.001f, 2.003f, 2.01f };
-		struct coloured t = { .position = { { -2, -2, -w[n] }, { 2, -2, -w[4 - n] },
-						    { -2, 2, -2 } },
-				      .colour = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 },
-						  { 0, 0, 1, 1 } } };
+		struct coloured t = {
+			.position = { { -2, -2, -w[n] }, { 2, -2, -w[4 - n] }, { -2, 2, -2 } },
+			.colour = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 } }
+		};
 
 		draw_coloured(f, &t, &stats);
 		assert_int_equal(stats.linear, 1);

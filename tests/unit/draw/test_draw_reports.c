@@ -61,7 +61,8 @@ static void huge_coordinates_cover_the_window(void)
 
 static void coordinates_to_the_end_of_float_are_taken(void)
 {
-	const float position[3][3] = { { -3e38f, -3e38f, 0 }, { 3e38f, -3e38f, 0 },
+	const float position[3][3] = { { -3e38f, -3e38f, 0 },
+				       { 3e38f, -3e38f, 0 },
 				       { 0, 3e38f, 0 } };
 	struct accel_mesh mesh = strip(position, 3);
 
@@ -72,8 +73,8 @@ static void less_than_a_triangle_is_nothing(void)
 {
 	struct accel_mesh mesh;
 
-	for (int topology = ACCEL_TOPOLOGY_TRIANGLES;
-	     topology <= ACCEL_TOPOLOGY_TRIANGLE_FAN; topology++)
+	for (int topology = ACCEL_TOPOLOGY_TRIANGLES; topology <= ACCEL_TOPOLOGY_TRIANGLE_FAN;
+	     topology++)
 		for (uint32_t n = 0; n < 3; n++) {
 			const uint32_t index[3] = { 0, 1, 2 };
 
@@ -104,10 +105,10 @@ static void lit(struct accel_light light, float shininess, const float normal[3]
 {
 	float normals[4][3];
 	struct accel_mesh mesh = strip(square, 4);
-	const struct accel_material material =
-		ACCEL_MATERIAL(.emission = { 0.2f, 0.2f, 0.2f, 1 },
-			       .diffuse = { 0.4f, 0.4f, 0.4f, 1 },
-			       .specular = { 0.2f, 0.2f, 0.2f, 1 }, .shininess = shininess);
+	const struct accel_material material = ACCEL_MATERIAL(.emission = { 0.2f, 0.2f, 0.2f, 1 },
+							      .diffuse = { 0.4f, 0.4f, 0.4f, 1 },
+							      .specular = { 0.2f, 0.2f, 0.2f, 1 },
+							      .shininess = shininess);
 
 	mesh.normal.data = normals;
 	for (int i = 0; i < 12; i++)

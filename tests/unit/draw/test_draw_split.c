@@ -166,12 +166,14 @@ static void depth_is_equal_in_a_second_pass_with_other_shading(void **state)
 	accel_state_set_depth(f->state, ACCEL_COMPARE_EQUAL, false);
 	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
 	assert_int_equal(accel_draw_finish(f->draw), 0);
-	assert_int_equal(
-		accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[0], SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[0],
+					   SIDE * 4),
+			 0);
 	accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);
 	draw_counted(f, ACCEL_SHADING_ADAPTIVE, counts[0]);
-	assert_int_equal(
-		accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[1], SIDE * 4), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels[1],
+					   SIDE * 4),
+			 0);
 	for (int i = 0; i < SIDE * SIDE; i++)
 		assert_int_equal(pixels[0][i], counts[0][i] ? pixels[1][i] : 0xffffffff);
 }
@@ -185,7 +187,8 @@ static void read_all(struct fixture *f, uint32_t *colour, uint32_t *depth)
 
 static void a_picture_is_the_same_for_either_tile_size(void **state)
 {
-	static void (*const make[])(struct shape *, int) = { shape_sphere, shape_torus, shape_drum };
+	static void (*const make[])(struct shape *, int) = { shape_sphere, shape_torus,
+							     shape_drum };
 	static uint32_t depth[2][SIDE * SIDE];
 	const float distances[] = { 3.2f, 0.8f };
 	struct fixture *f[2] = { fixture_new("model:tile=32"), fixture_new("model:tile=64") };
@@ -209,10 +212,10 @@ static void a_picture_is_the_same_for_either_tile_size(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup_teardown(
-			a_smooth_mesh_covers_the_same_pixels_split_or_not, setup, teardown),
-		cmocka_unit_test_setup_teardown(
-			a_creased_mesh_covers_the_same_pixels_split_or_not, setup, teardown),
+		cmocka_unit_test_setup_teardown(a_smooth_mesh_covers_the_same_pixels_split_or_not,
+						setup, teardown),
+		cmocka_unit_test_setup_teardown(a_creased_mesh_covers_the_same_pixels_split_or_not,
+						setup, teardown),
 		cmocka_unit_test_setup_teardown(
 			a_mesh_that_is_cut_by_the_near_plane_covers_the_same_split_or_not, setup,
 			teardown),
@@ -220,8 +223,8 @@ int main(void)
 						teardown),
 		cmocka_unit_test_setup_teardown(each_layer_of_a_closed_mesh_is_drawn_once, setup,
 						teardown),
-		cmocka_unit_test_setup_teardown(
-			depth_is_equal_in_a_second_pass_with_other_shading, setup, teardown),
+		cmocka_unit_test_setup_teardown(depth_is_equal_in_a_second_pass_with_other_shading,
+						setup, teardown),
 		cmocka_unit_test(a_picture_is_the_same_for_either_tile_size),
 	};
 

@@ -179,8 +179,8 @@ static int compare(const float most[3], int *below, int *above)
 
 static void check_scene(struct fixture *f, uint64_t *seed, enum accel_shading shading)
 {
-	const struct accel_material matt =
-		ACCEL_MATERIAL(.ambient = { 0.8f, 0.8f, 0.8f, 1 }, .diffuse = { 1, 1, 1, 1 });
+	const struct accel_material matt = ACCEL_MATERIAL(.ambient = { 0.8f, 0.8f, 0.8f, 1 },
+							  .diffuse = { 1, 1, 1, 1 });
 	uint64_t scene = *seed;
 	int lights = test_between(seed, 1, 4), below = 0, above = 0, swollen;
 	float most[3];
@@ -205,8 +205,8 @@ static void check_scene(struct fixture *f, uint64_t *seed, enum accel_shading sh
 		swollen = above = 0;
 	if (below > 1 || swollen > 10 || above > SWELL_MOST)
 		fail_msg("scene %#llx, shading %d: %d steps below the light without spots, "
-			 "%d above the brightest there is", (unsigned long long)scene, (int)shading, below,
-			 above);
+			 "%d above the brightest there is",
+			 (unsigned long long)scene, (int)shading, below, above);
 }
 
 static void spots_darken_no_pixel_and_overshoot_nothing(void **state)
@@ -221,15 +221,16 @@ static void spots_darken_no_pixel_and_overshoot_nothing(void **state)
 /* The reported case: black fur around the cone. */
 static void a_hard_rim_leaves_the_light_that_was_there(void **state)
 {
-	const struct accel_material plastic =
-		ACCEL_MATERIAL(.ambient = { 0.8f, 0.75f, 0.65f, 1 },
-			       .diffuse = { 0.6f, 0.6f, 0.6f, 1 },
-			       .specular = { 0.5f, 0.5f, 0.5f, 1 }, .shininess = 30);
-	struct accel_light light =
-		ACCEL_LIGHT(.enabled = true, .position = { 0.6f, 0.5f, -1, 1 },
-			    .diffuse = { 1, 1, 1, 1 }, .specular = { 1, 1, 1, 1 },
-			    .attenuation = { 1, 0, 0 }, .spot_direction = { -0.6f, -0.5f, -2 },
-			    .spot_cutoff = 12);
+	const struct accel_material plastic = ACCEL_MATERIAL(.ambient = { 0.8f, 0.75f, 0.65f, 1 },
+							     .diffuse = { 0.6f, 0.6f, 0.6f, 1 },
+							     .specular = { 0.5f, 0.5f, 0.5f, 1 },
+							     .shininess = 30);
+	struct accel_light light = ACCEL_LIGHT(.enabled = true, .position = { 0.6f, 0.5f, -1, 1 },
+					       .diffuse = { 1, 1, 1, 1 },
+					       .specular = { 1, 1, 1, 1 },
+					       .attenuation = { 1, 0, 0 },
+					       .spot_direction = { -0.6f, -0.5f, -2 },
+					       .spot_cutoff = 12);
 	struct fixture *f = *state;
 	int below = 0, above = 0;
 

@@ -14,8 +14,9 @@ struct fixture {
 };
 
 static const float position[4][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, { 1, 1, 0 } };
-static const float colour[4][4] = { { 1, 0, 0, 1 }, { 0, 1, 0, 0.2f }, { 0, 0, 1, 0.8f },
-				    { 0.4f, 0.6f, 0, 1 } };
+static const float colour[4][4] = {
+	{ 1, 0, 0, 1 }, { 0, 1, 0, 0.2f }, { 0, 0, 1, 0.8f }, { 0.4f, 0.6f, 0, 1 }
+};
 
 static int setup(void **state)
 {
@@ -72,7 +73,8 @@ static void check_same(struct fixture *f, struct accel_mesh mesh, struct accel_m
 
 static struct accel_mesh packed(void)
 {
-	return strip((struct accel_array){ .data = position }, (struct accel_array){ .data = colour });
+	return strip((struct accel_array){ .data = position },
+		     (struct accel_array){ .data = colour });
 }
 
 static void vertices_may_be_interleaved(void **state)
@@ -87,8 +89,11 @@ static void vertices_may_be_interleaved(void **state)
 		memcpy(vertex[i].colour, colour[i], sizeof(colour[i]));
 		memcpy(vertex[i].position, position[i], sizeof(position[i]));
 	}
-	check_same(*state, strip((struct accel_array){ .data = vertex[0].position, .stride = sizeof(vertex[0]) },
-				 (struct accel_array){ .data = vertex[0].colour, .stride = sizeof(vertex[0]) }),
+	check_same(*state,
+		   strip((struct accel_array){ .data = vertex[0].position,
+					       .stride = sizeof(vertex[0]) },
+			 (struct accel_array){ .data = vertex[0].colour,
+					       .stride = sizeof(vertex[0]) }),
 		   packed());
 }
 
@@ -100,8 +105,10 @@ static void elements_may_be_at_any_address(void **state)
 		memcpy(bytes + 1 + 31 * i, position[i], sizeof(position[i]));
 		memcpy(bytes + 14 + 31 * i, colour[i], sizeof(colour[i]));
 	}
-	check_same(*state, strip((struct accel_array){ .data = bytes + 1, .stride = 31 },
-				 (struct accel_array){ .data = bytes + 14, .stride = 31 }), packed());
+	check_same(*state,
+		   strip((struct accel_array){ .data = bytes + 1, .stride = 31 },
+			 (struct accel_array){ .data = bytes + 14, .stride = 31 }),
+		   packed());
 }
 
 static void colours_may_be_bytes(void **state)
@@ -112,8 +119,9 @@ static void colours_may_be_bytes(void **state)
 		bytes[i / 4][i % 4] = (uint8_t)(colour[i / 4][i % 4] * 255 + 0.5f);
 	check_same(*state,
 		   strip((struct accel_array){ .data = position },
-			 (struct accel_array){ .data = bytes, .type = ACCEL_TYPE_UBYTE,
-					       .normalised = true }), packed());
+			 (struct accel_array){
+				 .data = bytes, .type = ACCEL_TYPE_UBYTE, .normalised = true }),
+		   packed());
 }
 
 static void alpha_and_z_may_be_left_out(void **state)
@@ -126,20 +134,24 @@ static void alpha_and_z_may_be_left_out(void **state)
 		memcpy(opaque[i], colour[i], sizeof(opaque[i]));
 		opaque[i][3] = 1;
 	}
-	check_same(*state, strip((struct accel_array){ .data = flat, .components = 2 },
-				 (struct accel_array){ .data = rgb, .components = 3 }),
-		   strip((struct accel_array){ .data = position }, (struct accel_array){ .data = opaque }));
+	check_same(*state,
+		   strip((struct accel_array){ .data = flat, .components = 2 },
+			 (struct accel_array){ .data = rgb, .components = 3 }),
+		   strip((struct accel_array){ .data = position },
+			 (struct accel_array){ .data = opaque }));
 }
 
 static void one_element_may_be_that_of_all_vertices(void **state)
 {
-	const float all[4][4] = { { 1, 0.5f, 0, 1 }, { 1, 0.5f, 0, 1 }, { 1, 0.5f, 0, 1 },
-				  { 1, 0.5f, 0, 1 } };
+	const float all[4][4] = {
+		{ 1, 0.5f, 0, 1 }, { 1, 0.5f, 0, 1 }, { 1, 0.5f, 0, 1 }, { 1, 0.5f, 0, 1 }
+	};
 
 	check_same(*state,
 		   strip((struct accel_array){ .data = position },
 			 (struct accel_array){ .data = all, .stride = 1000, .constant = true }),
-		   strip((struct accel_array){ .data = position }, (struct accel_array){ .data = all }));
+		   strip((struct accel_array){ .data = position },
+			 (struct accel_array){ .data = all }));
 }
 
 /* A triangle that leaves the view is fetched a second time. */
@@ -150,9 +162,11 @@ static void clipped_vertices_are_fetched_with_their_stride(void **state)
 
 	for (int i = 0; i < 4; i++)
 		memcpy(wide[i], near[i], sizeof(near[i]));
-	check_same(*state, strip((struct accel_array){ .data = wide, .stride = sizeof(wide[0]) },
-				 (struct accel_array){ .data = colour }),
-		   strip((struct accel_array){ .data = near }, (struct accel_array){ .data = colour }));
+	check_same(*state,
+		   strip((struct accel_array){ .data = wide, .stride = sizeof(wide[0]) },
+			 (struct accel_array){ .data = colour }),
+		   strip((struct accel_array){ .data = near },
+			 (struct accel_array){ .data = colour }));
 }
 
 static void refuse(struct fixture *f, struct accel_mesh mesh, const char *why)

@@ -9,7 +9,7 @@
 
 #include "accel_test.h"
 
-#define WORDS 100000u			/* more than one read takes */
+#define WORDS 100000u /* more than one read takes */
 
 struct fixture {
 	char folder[64];
@@ -169,8 +169,8 @@ static void a_job_is_its_board_its_stream_and_the_slots_it_reads(void **state)
 
 	read_file(fixture, "txt", text, sizeof(text) - 1);
 	assert_string_equal(text, "gloss job 1\nboard: C model, 64-pixel tiles\ntile: 64\n"
-			    "stream: 7 words\nresponse: 1 words\n"
-			    "slot 0: 400000 bytes, read\nslot 1: 4096 bytes, write\n");
+				  "stream: 7 words\nresponse: 1 words\n"
+				  "slot 0: 400000 bytes, read\nslot 1: 4096 bytes, write\n");
 	count = packet_read(expected, 0, 4 * (WORDS - 1), 1);
 	packet_write(expected + count, 1, 8, 77);
 	assert_int_equal(read_file(fixture, "stream", found, sizeof(found)), 7 * 4);

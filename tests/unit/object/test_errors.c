@@ -271,8 +271,9 @@ static int ambient_of_nothing(void)
 
 static int material_too_shiny(void)
 {
-	return accel_state_set_material(
-		state_of_all, &(struct accel_material)ACCEL_MATERIAL(.shininess = 1001), NULL);
+	return accel_state_set_material(state_of_all,
+					&(struct accel_material)ACCEL_MATERIAL(.shininess = 1001),
+					NULL);
 }
 
 static int light_number_eight(void)
@@ -562,7 +563,7 @@ static const struct reached {
 	{ "accel_device_new", -EBUSY, open_twice },
 	{ "accel_device_new", -EINVAL, open_no_name },
 	{ "accel_device_new", -ENOMEM, open_without_memory },
-	{ "accel_device_new", -EIO, write_to_a_board_that_fails },	/* what it says of jobs */
+	{ "accel_device_new", -EIO, write_to_a_board_that_fails }, /* what it says of jobs */
 	{ "accel_device_clocks", -ENOTSUP, clocks_of_a_model },
 	{ "accel_device_clocks", -EIO, clocks_of_a_board_that_does_not_answer },
 	{ "accel_device_clocks", -ENODEV, clocks_of_no_board },

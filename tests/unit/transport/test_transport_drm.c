@@ -45,8 +45,10 @@ static void a_job_takes_two_ioctls(void **state)
 {
 	uint32_t stream[3000] = { 0 }, response[500];
 	const struct accel_transport_job job = {
-		.stream = stream, .stream_words = 3000,
-		.response = response, .response_words = 500,
+		.stream = stream,
+		.stream_words = 3000,
+		.response = response,
+		.response_words = 500,
 	};
 	struct gloss_status status;
 	unsigned int ioctls;
@@ -198,9 +200,8 @@ static void a_lost_job_fails_alone(void **state)
 	static const struct {
 		int error, answer;
 	} lost[] = {
-		{ -EIO, -EIO }, { -ENODEV, -ENODEV }, { -ECANCELED, -ENODEV }, { -EPROTO, -EIO },
-		{ -ETIME, -ETIME },
-		{ FAKE_NO_STATUS, -EIO },
+		{ -EIO, -EIO },    { -ENODEV, -ENODEV }, { -ECANCELED, -ENODEV },
+		{ -EPROTO, -EIO }, { -ETIME, -ETIME },   { FAKE_NO_STATUS, -EIO },
 	};
 	struct gloss_status status;
 	uint64_t sequence[3];
@@ -292,8 +293,10 @@ static void a_job_larger_than_the_pool_takes_no_more_than_it_needs(void **state)
 {
 	uint32_t *stream = calloc(FAKE_WORDS_MAX, 4), *response = calloc(FAKE_WORDS_MAX, 4);
 	const struct accel_transport_job job = {
-		.stream = stream, .stream_words = FAKE_WORDS_MAX,
-		.response = response, .response_words = FAKE_WORDS_MAX,
+		.stream = stream,
+		.stream_words = FAKE_WORDS_MAX,
+		.response = response,
+		.response_words = FAKE_WORDS_MAX,
 	};
 	struct gloss_status status;
 	uint64_t sequence;
@@ -327,8 +330,12 @@ static int live(void *state)
 	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_WRITE };
 	uint32_t stream[4], response;
 	const struct accel_transport_job job = {
-		.stream = stream, .stream_words = (uint32_t)packet_write(stream, 0, 0, 3),
-		.response = &response, .response_words = 1, .slot = &slot, .slots = 1,
+		.stream = stream,
+		.stream_words = (uint32_t)packet_write(stream, 0, 0, 3),
+		.response = &response,
+		.response_words = 1,
+		.slot = &slot,
+		.slots = 1,
 	};
 	struct gloss_status status;
 	uint64_t sequence;
@@ -365,16 +372,19 @@ static void every_answer_of_every_ioctl_is_told(void **state)
 	static const struct {
 		int error, answer;
 	} errors[] = {
-		{ EINTR, 0 }, { EAGAIN, 0 }, { ENOMEM, -ENOMEM }, { ENODEV, -ENODEV },
+		{ EINTR, 0 },        { EAGAIN, 0 },       { ENOMEM, -ENOMEM }, { ENODEV, -ENODEV },
 		{ EINVAL, -EINVAL }, { ENOENT, -EINVAL }, { ENOSPC, -ENOMEM }, { EFAULT, -EIO },
-		{ EACCES, -EIO }, { E2BIG, -EIO },
+		{ EACCES, -EIO },    { E2BIG, -EIO },
 	};
 	/* The first object is in board memory, the second in host memory. */
 	static const struct {
 		unsigned int number, at;
 	} calls[] = {
-		{ GLOSS(GEM_CREATE), 1 }, { GLOSS(GEM_CREATE), 2 }, { GLOSS(GEM_MMAP_OFFSET), 1 },
-		{ GLOSS(SUBMIT), 1 }, { _IOC_NR(DRM_IOCTL_SYNCOBJ_TIMELINE_WAIT), 1 },
+		{ GLOSS(GEM_CREATE), 1 },
+		{ GLOSS(GEM_CREATE), 2 },
+		{ GLOSS(GEM_MMAP_OFFSET), 1 },
+		{ GLOSS(SUBMIT), 1 },
+		{ _IOC_NR(DRM_IOCTL_SYNCOBJ_TIMELINE_WAIT), 1 },
 	};
 
 	for (size_t i = 0; i < sizeof(errors) / sizeof(errors[0]); i++)
@@ -427,12 +437,14 @@ static void threads_share_a_device(void **state)
 /* As examples/triangle.c does. */
 static void draw(const char *name, uint32_t pixel[64 * 64])
 {
-	static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 },
+	static const float corner[3][3] = { { -0.9f, -0.8f, 0 },
+					    { 0.9f, -0.8f, 0 },
 					    { 0, 0.9f, 0 } };
 	static const float colour[3][4] = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 } };
-	static const struct accel_mesh mesh =
-		ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
-			   .position = { .data = corner }, .colour = { .data = colour });
+	static const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+							 .vertices = 3,
+							 .position = { .data = corner },
+							 .colour = { .data = colour });
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_state *state;

@@ -8,7 +8,7 @@ static struct messages messages;
 static struct {
 	_Atomic uint64_t clocks;
 	_Atomic uint32_t stall[5];
-	_Atomic unsigned int moves;	/* the upper half, after so many reads of the lower one */
+	_Atomic unsigned int moves; /* the upper half, after so many reads of the lower one */
 } counters;
 
 static uint32_t counting_read(struct gloss_usb_board *board, uint32_t offset)
