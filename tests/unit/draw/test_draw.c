@@ -3,20 +3,13 @@
 #include <limits.h>
 
 #include "decode/decode.h"
+#include "draw_fixture.h"
 #include "draw_mesh.h"
 
 #define SIDE 96
 #define WHITE 0xffffffffu
 #define RED 0xff0000ffu
 #define GREEN 0xff00ff00u
-
-struct fixture {
-	struct messages messages;
-	struct accel_device *device;
-	struct accel_target *target;
-	struct accel_draw *draw;
-	struct accel_state *state; /* identity: positions are NDC */
-};
 
 static uint32_t pixels[SIDE * SIDE], others[SIDE * SIDE];
 
@@ -47,25 +40,14 @@ static const uint32_t square_index[6] = { 0, 1, 2, 0, 2, 3 };
 
 static int setup(void **state)
 {
-	static struct fixture f;
+	struct accel_state *drawn;
+	struct fixture *f;
 
-	f.device = device_open("model:", &f.messages);
-	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
-	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
-	assert_int_equal(accel_state_new(&f.state), 0);
-	assert_int_equal(accel_draw_begin(f.draw, f.target, NULL), 0);
-	*state = &f;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct fixture *f = *state;
-
-	accel_state_free(f->state);
-	accel_draw_free(f->draw);
-	accel_target_free(f->target);
-	accel_device_free(f->device);
+	/* Identity: positions are NDC. */
+	assert_int_equal(accel_state_new(&drawn), 0);
+	f = fixture_new(SIDE, drawn);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
+	*state = f;
 	return 0;
 }
 
@@ -722,7 +704,7 @@ static void whatever_is_drawn_the_board_takes_it(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, fixture_free)
 		TEST(a_clear_with_a_wrong_argument_is_refused),
 		TEST(a_mesh_that_is_none_is_refused),
 		TEST(a_matrix_that_is_not_finite_draws_no_mesh),

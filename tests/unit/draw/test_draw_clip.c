@@ -6,6 +6,7 @@
  */
 #include "draw/draw.c"
 
+#include "draw_fixture.h"
 #include "draw_mesh.h"
 #include "draw_test.h"
 
@@ -19,36 +20,12 @@ struct parallelogram {
 	float corner[3], along[2][3];
 };
 
-struct fixture {
-	struct messages messages;
-	struct accel_device *device;
-	struct accel_target *target;
-	struct accel_draw *draw;
-	struct accel_state *state;
-	double clip[3][4];		/* of the corner and the two directions */
-	int twice;			/* pixels on a border that were drawn twice */
-};
+static double clip[3][4];		/* of the corner and the two directions */
+static int twice;			/* pixels on a border that were drawn twice */
 
 static int setup(void **state)
 {
-	static struct fixture f;
-
-	f.device = device_open("model:", &f.messages);
-	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
-	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
-	f.state = state_shiny(60);
-	*state = &f;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct fixture *f = *state;
-
-	accel_state_free(f->state);
-	accel_draw_free(f->draw);
-	accel_target_free(f->target);
-	accel_device_free(f->device);
+	*state = fixture_new(SIDE, state_shiny(60));
 	return 0;
 }
 
@@ -58,7 +35,7 @@ struct meeting {
 	bool turned;			/* seen from behind */
 };
 
-static struct meeting ray_meets(const struct fixture *f, double x, double y)
+static struct meeting ray_meets(double x, double y)
 {
 	double ndc[2] = { 2 * x / SIDE - 1, 1 - 2 * y / SIDE };
 	double a[2][3], det, z;
@@ -67,12 +44,12 @@ static struct meeting ray_meets(const struct fixture *f, double x, double y)
 	/* clip x = ndc x * clip w, and the same for y: two equations in s and t. */
 	for (int i = 0; i < 2; i++)
 		for (int j = 0; j < 3; j++)
-			a[i][j] = f->clip[j][i] - ndc[i] * f->clip[j][3];
+			a[i][j] = clip[j][i] - ndc[i] * clip[j][3];
 	det = a[0][1] * a[1][2] - a[0][2] * a[1][1];
 	m.s = (a[0][2] * a[1][0] - a[0][0] * a[1][2]) / det;
 	m.t = (a[0][0] * a[1][1] - a[0][1] * a[1][0]) / det;
-	z = f->clip[0][2] + m.s * f->clip[1][2] + m.t * f->clip[2][2];
-	m.w = f->clip[0][3] + m.s * f->clip[1][3] + m.t * f->clip[2][3];
+	z = clip[0][2] + m.s * clip[1][2] + m.t * clip[2][2];
+	m.w = clip[0][3] + m.s * clip[1][3] + m.t * clip[2][3];
 	m.depth = (z / m.w + 1) / 2;
 	m.turned = det < 0;
 	return m;
@@ -91,7 +68,7 @@ static int within(const double value[5])
 }
 
 /* How often the pixel is to be drawn; 2: it is so near a border that snapping decides. */
-static int ray_counts(const struct fixture *f, int x, int y)
+static int ray_counts(int x, int y)
 {
 	double s[5], t[5], depth[5];
 	int behind = 0, turned = 0, each[3];
@@ -99,7 +76,7 @@ static int ray_counts(const struct fixture *f, int x, int y)
 	for (int i = 0; i < 5; i++) {
 		double across = i < 4 ? (i & 1 ? 0.125 : -0.125) : 0;
 		double down = i < 4 ? (i & 2 ? 0.125 : -0.125) : 0;
-		struct meeting m = ray_meets(f, x + 0.5 + across, y + 0.5 + down);
+		struct meeting m = ray_meets(x + 0.5 + across, y + 0.5 + down);
 
 		s[i] = m.s;
 		t[i] = m.t;
@@ -126,12 +103,12 @@ static void clip_corners(struct fixture *f, const struct parallelogram *p)
 	double base[4];
 
 	accel_geometry_init(&transform, f->state, SIDE, SIDE);
-	accel_geometry_clip_space(&transform, p->corner, f->clip[0]);
+	accel_geometry_clip_space(&transform, p->corner, clip[0]);
 	accel_geometry_clip_space(&transform, origin, base);
 	for (int i = 0; i < 2; i++) {
-		accel_geometry_clip_space(&transform, p->along[i], f->clip[1 + i]);
+		accel_geometry_clip_space(&transform, p->along[i], clip[1 + i]);
 		for (int j = 0; j < 4; j++)
-			f->clip[1 + i][j] -= base[j];
+			clip[1 + i][j] -= base[j];
 	}
 }
 
@@ -160,9 +137,9 @@ static long check_parallelogram(struct fixture *f, const struct parallelogram *p
 	clip_corners(f, p);
 	draw_parallelogram(f, p);
 	for (int i = 0; i < SIDE * SIDE; i++) {
-		int wanted = ray_counts(f, i % SIDE, i / SIDE);
+		int wanted = ray_counts(i % SIDE, i / SIDE);
 
-		f->twice += counts[i] == 2 && wanted == 2;
+		twice += counts[i] == 2 && wanted == 2;
 		if (counts[i] > 2 || (wanted < 2 && counts[i] != wanted))
 			fail_msg("shape %d: pixel %d,%d is drawn %d times, not %d", n, i % SIDE,
 				 i / SIDE, counts[i], wanted);
@@ -185,7 +162,7 @@ static void random_shapes_are_drawn_where_rays_meet_them(void **state)
 	long covered = 0, shapes = 0;
 	uint64_t clipped = 0;
 
-	f->twice = 0;
+	twice = 0;
 	for (int n = 0; n < RANDOM_SHAPES; n++) {
 		float size = ldexpf(1, test_between(&seed, -2, 10));
 		struct parallelogram p = { .corner = { 0 } };
@@ -205,7 +182,7 @@ static void random_shapes_are_drawn_where_rays_meet_them(void **state)
 	print_message("%ld shapes with %ld pixels, %llu triangles clipped\n", shapes, covered,
 		      (unsigned long long)clipped);
 	assert_true(shapes > RANDOM_SHAPES / 8);
-	assert_in_range(f->twice, 0, 4);
+	assert_in_range(twice, 0, 4);
 	assert_true(clipped > RANDOM_SHAPES / 8);
 }
 
@@ -295,14 +272,14 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(random_shapes_are_drawn_where_rays_meet_them, setup,
-						teardown),
+						fixture_free),
 		cmocka_unit_test_setup_teardown(a_floor_without_end_is_drawn_to_the_horizon, setup,
-						teardown),
+						fixture_free),
 		cmocka_unit_test_setup_teardown(a_floor_of_any_size_is_the_same_floor, setup,
-						teardown),
+						fixture_free),
 		cmocka_unit_test_setup_teardown(
 			what_is_behind_the_viewer_or_beside_the_view_draws_nothing, setup,
-			teardown),
+			fixture_free),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,44 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /* A mesh's colours as the material's. */
+#include "draw_fixture.h"
 #include "draw_mesh.h"
 #include "draw_test.h"
 
 #define SIDE 96
 
-struct fixture {
-	struct messages messages;
-	struct accel_device *device;
-	struct accel_target *target;
-	struct accel_draw *draw;
-	struct accel_state *state;
-	struct shape shape;
-	float colour[SHAPE_VERTICES][4];
-};
+static struct shape shape;
+static float colours[SHAPE_VERTICES][4];
 
 static int setup(void **state)
 {
-	static struct fixture f;
+	struct accel_state *drawn = state_shiny(20);
 
-	memset(&f, 0, sizeof(f));
-	f.device = device_open("model:", &f.messages);
-	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
-	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
-	f.state = state_shiny(20);
-	accel_state_set_local_viewer(f.state, false);
-	shape_sphere(&f.shape, 6);
-	f.shape.mesh.colour.data = f.colour;
-	*state = &f;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct fixture *f = *state;
-
-	accel_state_free(f->state);
-	accel_draw_free(f->draw);
-	accel_target_free(f->target);
-	accel_device_free(f->device);
+	accel_state_set_local_viewer(drawn, false);
+	shape_sphere(&shape, 6);
+	memset(colours, 0, sizeof(colours));
+	shape.mesh.colour.data = colours;
+	*state = fixture_new(SIDE, drawn);
 	return 0;
 }
 
@@ -47,7 +26,7 @@ static void draw(struct fixture *f, uint32_t *pixel)
 	const float black[4] = { 0 };
 
 	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->state, &f->shape.mesh), 0);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
 	assert_int_equal(accel_draw_finish(f->draw), 0);
 	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixel, SIDE * 4),
 			 0);
@@ -66,10 +45,10 @@ static void assert_same(const uint32_t *a, const uint32_t *b, int step)
 	assert_true(drawn > 1000);
 }
 
-static void paint(struct fixture *f, float red, float green, float blue, float alpha)
+static void paint(float red, float green, float blue, float alpha)
 {
 	for (int i = 0; i < SHAPE_VERTICES; i++)
-		memcpy(f->colour[i], (float[4]){ red, green, blue, alpha }, sizeof(f->colour[i]));
+		memcpy(colours[i], (float[4]){ red, green, blue, alpha }, sizeof(colours[i]));
 }
 
 /* One colour everywhere is what the same material is, in all shadings. */
@@ -82,7 +61,7 @@ static void colours_are_the_ambient_and_diffuse_reflectance_and_alpha(void **sta
 	const float colour[4] = { 0.75f, 0.25f, 0.5f, 0.5f };
 
 	material.emission[1] = 0.125f;
-	paint(f, colour[0], colour[1], colour[2], colour[3]);
+	paint(colour[0], colour[1], colour[2], colour[3]);
 	for (int shading = 0; shading <= ACCEL_SHADING_FLAT; shading++) {
 		accel_state_set_shading(f->state, shading);
 		material = before;
@@ -103,9 +82,9 @@ static void colours_are_nothing_unless_asked_for(void **state)
 	static uint32_t with[SIDE * SIDE], without[SIDE * SIDE];
 	struct fixture *f = *state;
 
-	paint(f, 1, 0, 0, 1);
+	paint(1, 0, 0, 1);
 	draw(f, with);
-	f->shape.mesh.colour.data = NULL;
+	shape.mesh.colour.data = NULL;
 	draw(f, without);
 	assert_memory_equal(with, without, sizeof(with));
 	/* Asked for and not there: the material. */
@@ -132,9 +111,9 @@ static void colours_run_from_vertex_to_vertex(void **state)
 	accel_state_set_ambient(f->state, ambient);
 	accel_state_set_colour_material(f->state, true);
 	accel_state_set_projection(f->state, slab);
-	for (uint32_t i = 0; i < f->shape.mesh.vertices; i++)
+	for (uint32_t i = 0; i < shape.mesh.vertices; i++)
 		for (int j = 0; j < 3; j++)
-			f->colour[i][j] = (f->shape.position[i][j] + 1) / 2;
+			colours[i][j] = (shape.position[i][j] + 1) / 2;
 	for (int shading = 0; shading <= ACCEL_SHADING_FLAT; shading++) {
 		accel_state_set_shading(f->state, shading);
 		accel_state_set_lighting(f->state, true);
@@ -152,15 +131,15 @@ static void colours_that_are_no_numbers_are_refused(void **state)
 	struct fixture *f = *state;
 
 	accel_state_set_colour_material(f->state, true);
-	f->colour[3][1] = NAN;
+	colours[3][1] = NAN;
 	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
-	assert_int_equal(accel_draw_mesh(f->draw, f->state, &f->shape.mesh), -EINVAL);
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), -EINVAL);
 	/* And limited to 0..1 if they are. */
-	f->colour[3][1] = 1e30f;
-	assert_int_equal(accel_draw_mesh(f->draw, f->state, &f->shape.mesh), 0);
+	colours[3][1] = 1e30f;
+	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
 }
 
-#define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+#define CASE(name) cmocka_unit_test_setup_teardown(name, setup, fixture_free)
 
 int main(void)
 {

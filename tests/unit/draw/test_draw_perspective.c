@@ -3,20 +3,13 @@
  * Vertex colours in perspective, against an interpolation of its own: in double precision, by the
  * ray through a pixel's centre.
  */
+#include "draw_fixture.h"
 #include "draw_mesh.h"
 #include "draw_test.h"
 
 #define SIDE 256
 #define TRIANGLES 1500
 #define STEPS 255.0
-
-struct fixture {
-	struct messages messages;
-	struct accel_device *device;
-	struct accel_target *target;
-	struct accel_draw *draw;
-	struct accel_state *state;
-};
 
 static uint32_t pixels[SIDE * SIDE];
 
@@ -45,26 +38,12 @@ static void project(struct accel_state *state, float near, float far)
 
 static int setup(void **state)
 {
-	static struct fixture f;
+	struct accel_state *drawn;
 
-	f.device = device_open("model:", &f.messages);
-	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
-	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
-	assert_int_equal(accel_state_new(&f.state), 0);
-	accel_state_set_shading(f.state, ACCEL_SHADING_GOURAUD);
-	project(f.state, 0.5f, 2000);
-	*state = &f;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct fixture *f = *state;
-
-	accel_state_free(f->state);
-	accel_draw_free(f->draw);
-	accel_target_free(f->target);
-	accel_device_free(f->device);
+	assert_int_equal(accel_state_new(&drawn), 0);
+	accel_state_set_shading(drawn, ACCEL_SHADING_GOURAUD);
+	project(drawn, 0.5f, 2000);
+	*state = fixture_new(SIDE, drawn);
 	return 0;
 }
 
@@ -308,7 +287,7 @@ static void without_perspective_a_triangle_stays_one_of_linear_colours(void **st
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, fixture_free)
 		TEST(random_colours_are_within_two_steps),
 		TEST(a_ground_under_the_eye_is_right_up_to_the_horizon),
 		TEST(light_is_that_of_the_vertices_though_they_are_clipped),

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Spots, whose rims are steps: a curve through one must not overshoot it, up or down. */
+#include "draw_fixture.h"
 #include "draw_mesh.h"
 #include "draw_test.h"
 
@@ -12,37 +13,12 @@
 #define SWELL 12
 #define SWELL_MOST 60
 
-struct fixture {
-	struct messages messages;
-	struct accel_device *device;
-	struct accel_target *target;
-	struct accel_draw *draw;
-	struct accel_state *state;
-};
-
 static struct shape shape;
 static uint32_t without[SIDE * SIDE], with[SIDE * SIDE];
 
 static int setup(void **state)
 {
-	static struct fixture f;
-
-	f.device = device_open("model:", &f.messages);
-	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
-	assert_int_equal(accel_draw_new(f.device, &f.draw), 0);
-	f.state = state_shiny(20);
-	*state = &f;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct fixture *f = *state;
-
-	accel_state_free(f->state);
-	accel_draw_free(f->draw);
-	accel_target_free(f->target);
-	accel_device_free(f->device);
+	*state = fixture_new(SIDE, state_shiny(20));
 	return 0;
 }
 
@@ -310,7 +286,7 @@ static void a_spot_lowers_no_curve(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, fixture_free)
 		TEST(spots_darken_no_pixel_and_overshoot_nothing),
 		TEST(a_hard_rim_leaves_the_light_that_was_there),
 		TEST(a_spot_lowers_no_curve),
