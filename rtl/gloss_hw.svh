@@ -191,7 +191,11 @@
     logic [2:0] reserved_10;
     logic signed [12:0] left_x;
   } edges_wide_t;
-  localparam logic [287:0] EDGES_WIDE_RESERVED = 288'hffff000000000000e000e000fec0000000000000e000e000c0c0000000000000e000e000;
+  localparam int unsigned EDGES_WIDE_BITS = 288;
+  localparam logic [EDGES_WIDE_BITS-1:0] EDGES_WIDE_RESERVED = {
+    32'hffff0000, 32'h00000000, 32'he000e000, 32'hfec00000, 32'h00000000, 32'he000e000,
+    32'hc0c00000, 32'h00000000, 32'he000e000
+  };
 
   typedef struct packed {
     logic [15:0] reserved_0;  // word 5
@@ -222,7 +226,10 @@
     logic [9:0] left_m;
     logic [9:0] left_r;
   } edges_compact_t;
-  localparam logic [191:0] EDGES_COMPACT_RESERVED = 192'hffff0000c0000000fec00000c0000000c0c00000c0000000;
+  localparam int unsigned EDGES_COMPACT_BITS = 192;
+  localparam logic [EDGES_COMPACT_BITS-1:0] EDGES_COMPACT_RESERVED = {
+    32'hffff0000, 32'hc0000000, 32'hfec00000, 32'hc0000000, 32'hc0c00000, 32'hc0000000
+  };
 
   typedef struct packed {
     logic [7:0] reserved_0;  // word 3
@@ -233,21 +240,30 @@
     logic [31:0] dx;  // word 1
     logic [31:0] z;  // word 0
   } depth_wide_t;
-  localparam logic [127:0] DEPTH_WIDE_RESERVED = 128'hff000000000000000000000000000000;
+  localparam int unsigned DEPTH_WIDE_BITS = 128;
+  localparam logic [DEPTH_WIDE_BITS-1:0] DEPTH_WIDE_RESERVED = {
+    32'hff000000, 32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic signed [31:0] dy;  // word 2
     logic signed [31:0] dx;  // word 1
     logic signed [31:0] z;  // word 0
   } depth_compact_t;
-  localparam logic [95:0] DEPTH_COMPACT_RESERVED = 96'h000000000000000000000000;
+  localparam int unsigned DEPTH_COMPACT_BITS = 96;
+  localparam logic [DEPTH_COMPACT_BITS-1:0] DEPTH_COMPACT_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [31:0] a_dy;  // word 2
     logic [31:0] a_dx;  // word 1
     logic [31:0] a;  // word 0
   } alpha_linear_t;
-  localparam logic [95:0] ALPHA_LINEAR_RESERVED = 96'h000000000000000000000000;
+  localparam int unsigned ALPHA_LINEAR_BITS = 96;
+  localparam logic [ALPHA_LINEAR_BITS-1:0] ALPHA_LINEAR_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [7:0] reserved_0;
@@ -255,7 +271,8 @@
     logic [7:0] green;
     logic [7:0] red;
   } colour_flat_t;
-  localparam logic [31:0] COLOUR_FLAT_RESERVED = 32'hff000000;
+  localparam int unsigned COLOUR_FLAT_BITS = 32;
+  localparam logic [COLOUR_FLAT_BITS-1:0] COLOUR_FLAT_RESERVED = 32'hff000000;
 
   typedef struct packed {
     logic [31:0] blue_dy;  // word 8
@@ -268,7 +285,11 @@
     logic [31:0] red_dx;  // word 1
     logic [31:0] red;  // word 0
   } colour_linear_t;
-  localparam logic [287:0] COLOUR_LINEAR_RESERVED = 288'h000000000000000000000000000000000000000000000000000000000000000000000000;
+  localparam int unsigned COLOUR_LINEAR_BITS = 288;
+  localparam logic [COLOUR_LINEAR_BITS-1:0] COLOUR_LINEAR_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [31:0] blue_dyy;  // word 17
@@ -290,35 +311,46 @@
     logic [31:0] red_dx;  // word 1
     logic [31:0] red;  // word 0
   } colour_second_order_t;
-  localparam logic [575:0] COLOUR_SECOND_ORDER_RESERVED = 576'h000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000;
+  localparam int unsigned COLOUR_SECOND_ORDER_BITS = 576;
+  localparam logic [COLOUR_SECOND_ORDER_BITS-1:0] COLOUR_SECOND_ORDER_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } nop_header_t;
-  localparam logic [31:0] NOP_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned NOP_HEADER_BITS = 32;
+  localparam logic [NOP_HEADER_BITS-1:0] NOP_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } write_memory_header_t;
-  localparam logic [31:0] WRITE_MEMORY_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned WRITE_MEMORY_HEADER_BITS = 32;
+  localparam logic [WRITE_MEMORY_HEADER_BITS-1:0] WRITE_MEMORY_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [31:0] offset;  // word 2
     logic [27:0] reserved_0;  // word 1
     logic [3:0] slot;
   } write_memory_t;
-  localparam logic [63:0] WRITE_MEMORY_RESERVED = 64'h00000000fffffff0;
+  localparam int unsigned WRITE_MEMORY_BITS = 64;
+  localparam logic [WRITE_MEMORY_BITS-1:0] WRITE_MEMORY_RESERVED = {
+    32'h00000000, 32'hfffffff0
+  };
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } read_memory_header_t;
-  localparam logic [31:0] READ_MEMORY_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned READ_MEMORY_HEADER_BITS = 32;
+  localparam logic [READ_MEMORY_HEADER_BITS-1:0] READ_MEMORY_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [31:0] offset;  // word 2
@@ -326,42 +358,50 @@
     logic [11:0] reserved_0;
     logic [3:0] slot;
   } read_memory_t;
-  localparam logic [63:0] READ_MEMORY_RESERVED = 64'h000000000000fff0;
+  localparam int unsigned READ_MEMORY_BITS = 64;
+  localparam logic [READ_MEMORY_BITS-1:0] READ_MEMORY_RESERVED = {
+    32'h00000000, 32'h0000fff0
+  };
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } counters_header_t;
-  localparam logic [31:0] COUNTERS_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned COUNTERS_HEADER_BITS = 32;
+  localparam logic [COUNTERS_HEADER_BITS-1:0] COUNTERS_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } colour_surface_header_t;
-  localparam logic [31:0] COLOUR_SURFACE_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned COLOUR_SURFACE_HEADER_BITS = 32;
+  localparam logic [COLOUR_SURFACE_HEADER_BITS-1:0] COLOUR_SURFACE_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [15:0] pitch;
     logic [11:0] reserved_0;
     logic [3:0] slot;
   } colour_surface_t;
-  localparam logic [31:0] COLOUR_SURFACE_RESERVED = 32'h0000fff0;
+  localparam int unsigned COLOUR_SURFACE_BITS = 32;
+  localparam logic [COLOUR_SURFACE_BITS-1:0] COLOUR_SURFACE_RESERVED = 32'h0000fff0;
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } depth_surface_header_t;
-  localparam logic [31:0] DEPTH_SURFACE_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned DEPTH_SURFACE_HEADER_BITS = 32;
+  localparam logic [DEPTH_SURFACE_HEADER_BITS-1:0] DEPTH_SURFACE_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [15:0] pitch;
     logic [11:0] reserved_0;
     logic [3:0] slot;
   } depth_surface_t;
-  localparam logic [31:0] DEPTH_SURFACE_RESERVED = 32'h0000fff0;
+  localparam int unsigned DEPTH_SURFACE_BITS = 32;
+  localparam logic [DEPTH_SURFACE_BITS-1:0] DEPTH_SURFACE_RESERVED = 32'h0000fff0;
 
   typedef struct packed {
     logic [7:0] opcode;
@@ -370,13 +410,17 @@
     logic colour_load;
     logic [10:0] length;
   } tile_begin_header_t;
-  localparam logic [31:0] TILE_BEGIN_HEADER_RESERVED = 32'h00ffe000;
+  localparam int unsigned TILE_BEGIN_HEADER_BITS = 32;
+  localparam logic [TILE_BEGIN_HEADER_BITS-1:0] TILE_BEGIN_HEADER_RESERVED = 32'h00ffe000;
 
   typedef struct packed {
     logic [31:0] depth;  // word 2
     logic [31:0] colour;  // word 1
   } tile_begin_t;
-  localparam logic [63:0] TILE_BEGIN_RESERVED = 64'h0000000000000000;
+  localparam int unsigned TILE_BEGIN_BITS = 64;
+  localparam logic [TILE_BEGIN_BITS-1:0] TILE_BEGIN_RESERVED = {
+    32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [7:0] opcode;
@@ -385,13 +429,17 @@
     logic [1:0] colour_output;
     logic [10:0] length;
   } tile_end_header_t;
-  localparam logic [31:0] TILE_END_HEADER_RESERVED = 32'h00ff8000;
+  localparam int unsigned TILE_END_HEADER_BITS = 32;
+  localparam logic [TILE_END_HEADER_BITS-1:0] TILE_END_HEADER_RESERVED = 32'h00ff8000;
 
   typedef struct packed {
     logic [31:0] depth;  // word 2
     logic [31:0] colour;  // word 1
   } tile_end_t;
-  localparam logic [63:0] TILE_END_RESERVED = 64'h0000000000000000;
+  localparam int unsigned TILE_END_BITS = 64;
+  localparam logic [TILE_END_BITS-1:0] TILE_END_RESERVED = {
+    32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [7:0] opcode;
@@ -400,7 +448,8 @@
     logic [2:0] func;
     logic [10:0] length;
   } depth_state_header_t;
-  localparam logic [31:0] DEPTH_STATE_HEADER_RESERVED = 32'h00ff8000;
+  localparam int unsigned DEPTH_STATE_HEADER_BITS = 32;
+  localparam logic [DEPTH_STATE_HEADER_BITS-1:0] DEPTH_STATE_HEADER_RESERVED = 32'h00ff8000;
 
   typedef struct packed {
     logic [7:0] opcode;
@@ -411,14 +460,16 @@
     logic red;
     logic [10:0] length;
   } colour_mask_header_t;
-  localparam logic [31:0] COLOUR_MASK_HEADER_RESERVED = 32'h00ff8000;
+  localparam int unsigned COLOUR_MASK_HEADER_BITS = 32;
+  localparam logic [COLOUR_MASK_HEADER_BITS-1:0] COLOUR_MASK_HEADER_RESERVED = 32'h00ff8000;
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } scissor_header_t;
-  localparam logic [31:0] SCISSOR_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned SCISSOR_HEADER_BITS = 32;
+  localparam logic [SCISSOR_HEADER_BITS-1:0] SCISSOR_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic reserved_0;
@@ -430,7 +481,8 @@
     logic reserved_3;
     logic [6:0] x0;
   } scissor_t;
-  localparam logic [31:0] SCISSOR_RESERVED = 32'h80808080;
+  localparam int unsigned SCISSOR_BITS = 32;
+  localparam logic [SCISSOR_BITS-1:0] SCISSOR_RESERVED = 32'h80808080;
 
   typedef struct packed {
     logic [7:0] opcode;
@@ -440,7 +492,8 @@
     logic [1:0] geometry;
     logic [10:0] length;
   } triangle_header_t;
-  localparam logic [31:0] TRIANGLE_HEADER_RESERVED = 32'h00000000;
+  localparam int unsigned TRIANGLE_HEADER_BITS = 32;
+  localparam logic [TRIANGLE_HEADER_BITS-1:0] TRIANGLE_HEADER_RESERVED = 32'h00000000;
 
   typedef struct packed {
     logic [31:0] response_words;  // word 2
@@ -448,7 +501,10 @@
     logic [27:0] reserved_0;  // word 0
     logic [3:0] cause;
   } status_t;
-  localparam logic [95:0] STATUS_RESERVED = 96'h0000000000000000fffffff0;
+  localparam int unsigned STATUS_BITS = 96;
+  localparam logic [STATUS_BITS-1:0] STATUS_RESERVED = {
+    32'h00000000, 32'h00000000, 32'hfffffff0
+  };
 
   typedef struct packed {
     logic [31:0] reserved_0;  // word 3
@@ -457,7 +513,10 @@
     logic [31:0] size;  // word 1
     logic [31:0] base;  // word 0
   } slot_entry_t;
-  localparam logic [127:0] SLOT_ENTRY_RESERVED = 128'hfffffffffffffffc0000000000000000;
+  localparam int unsigned SLOT_ENTRY_BITS = 128;
+  localparam logic [SLOT_ENTRY_BITS-1:0] SLOT_ENTRY_RESERVED = {
+    32'hffffffff, 32'hfffffffc, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [31:0] reserved_0;  // word 15
@@ -477,7 +536,12 @@
     logic [31:0] stream_words;  // word 1
     logic [31:0] sequence_;  // word 0
   } job_descriptor_t;
-  localparam logic [511:0] JOB_DESCRIPTOR_RESERVED = 512'hffffffffffffffffffffffffffffffffffffffffffffffff00000000000000000000000000000000ffffffff0000000000000000000000000000000000000000;
+  localparam int unsigned JOB_DESCRIPTOR_BITS = 512;
+  localparam logic [JOB_DESCRIPTOR_BITS-1:0] JOB_DESCRIPTOR_RESERVED = {
+    32'hffffffff, 32'hffffffff, 32'hffffffff, 32'hffffffff, 32'hffffffff, 32'hffffffff,
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'hffffffff, 32'h00000000,
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [31:0] response_words;  // word 3
@@ -486,7 +550,10 @@
     logic [3:0] cause;
     logic [31:0] sequence_;  // word 0
   } completion_t;
-  localparam logic [127:0] COMPLETION_RESERVED = 128'h0000000000000000fffffff000000000;
+  localparam int unsigned COMPLETION_BITS = 128;
+  localparam logic [COMPLETION_BITS-1:0] COMPLETION_RESERVED = {
+    32'h00000000, 32'h00000000, 32'hfffffff0, 32'h00000000
+  };
 
   typedef struct packed {
     logic [31:0] mark_complement;  // word 3
@@ -494,7 +561,10 @@
     logic [31:0] nonce;  // word 1
     logic [31:0] mark;  // word 0
   } usb_sync_t;
-  localparam logic [127:0] USB_SYNC_RESERVED = 128'h00000000000000000000000000000000;
+  localparam int unsigned USB_SYNC_BITS = 128;
+  localparam logic [USB_SYNC_BITS-1:0] USB_SYNC_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000
+  };
 
   typedef struct packed {
     logic [31:0] response_words;  // word 3
@@ -504,18 +574,23 @@
     logic [2:0] reserved_0;
     logic [4:0] slots;
   } usb_job_t;
-  localparam logic [127:0] USB_JOB_RESERVED = 128'h000000000000000000000000000000e0;
+  localparam int unsigned USB_JOB_BITS = 128;
+  localparam logic [USB_JOB_BITS-1:0] USB_JOB_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h000000e0
+  };
 
   typedef struct packed {
     logic [31:0] checksum;
   } usb_job_end_t;
-  localparam logic [31:0] USB_JOB_END_RESERVED = 32'h00000000;
+  localparam int unsigned USB_JOB_END_BITS = 32;
+  localparam logic [USB_JOB_END_BITS-1:0] USB_JOB_END_RESERVED = 32'h00000000;
 
   typedef struct packed {
     logic [15:0] mark;
     logic [15:0] count;
   } usb_response_t;
-  localparam logic [31:0] USB_RESPONSE_RESERVED = 32'h00000000;
+  localparam int unsigned USB_RESPONSE_BITS = 32;
+  localparam logic [USB_RESPONSE_BITS-1:0] USB_RESPONSE_RESERVED = 32'h00000000;
 
   typedef struct packed {
     logic [31:0] checksum;  // word 4
@@ -526,7 +601,10 @@
     logic [11:0] reserved_0;
     logic [3:0] cause;
   } usb_completion_t;
-  localparam logic [159:0] USB_COMPLETION_RESERVED = 160'h000000000000000000000000000000000000fff0;
+  localparam int unsigned USB_COMPLETION_BITS = 160;
+  localparam logic [USB_COMPLETION_BITS-1:0] USB_COMPLETION_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h0000fff0
+  };
 
   typedef struct packed {
     logic [31:0] sequence_;  // word 1
@@ -535,7 +613,10 @@
     logic lost;
     logic [3:0] cause;
   } usb_event_t;
-  localparam logic [63:0] USB_EVENT_RESERVED = 64'h000000000000ffe0;
+  localparam int unsigned USB_EVENT_BITS = 64;
+  localparam logic [USB_EVENT_BITS-1:0] USB_EVENT_RESERVED = {
+    32'h00000000, 32'h0000ffe0
+  };
 
   typedef struct packed {
     logic [7:0] reserved_0;
@@ -543,14 +624,16 @@
     logic [7:0] pixels_per_clock;
     logic [7:0] tile_size;
   } reg_capabilities_t;
-  localparam logic [31:0] REG_CAPABILITIES_RESERVED = 32'hff000000;
+  localparam int unsigned REG_CAPABILITIES_BITS = 32;
+  localparam logic [REG_CAPABILITIES_BITS-1:0] REG_CAPABILITIES_RESERVED = 32'hff000000;
 
   typedef struct packed {
     logic [29:0] reserved_0;
     logic reset;
     logic enable;
   } reg_control_t;
-  localparam logic [31:0] REG_CONTROL_RESERVED = 32'hfffffffc;
+  localparam int unsigned REG_CONTROL_BITS = 32;
+  localparam logic [REG_CONTROL_BITS-1:0] REG_CONTROL_RESERVED = 32'hfffffffc;
 
   typedef struct packed {
     logic [27:0] reserved_0;
@@ -559,13 +642,15 @@
     logic idle;
     logic running;
   } reg_status_t;
-  localparam logic [31:0] REG_STATUS_RESERVED = 32'hfffffff0;
+  localparam int unsigned REG_STATUS_BITS = 32;
+  localparam logic [REG_STATUS_BITS-1:0] REG_STATUS_RESERVED = 32'hfffffff0;
 
   typedef struct packed {
     logic [27:0] reserved_0;
     logic [3:0] cause;
   } reg_fault_cause_t;
-  localparam logic [31:0] REG_FAULT_CAUSE_RESERVED = 32'hfffffff0;
+  localparam int unsigned REG_FAULT_CAUSE_BITS = 32;
+  localparam logic [REG_FAULT_CAUSE_BITS-1:0] REG_FAULT_CAUSE_RESERVED = 32'hfffffff0;
 
   typedef struct packed {
     logic [28:0] reserved_0;
@@ -573,7 +658,8 @@
     logic fault;
     logic done;
   } reg_interrupt_status_t;
-  localparam logic [31:0] REG_INTERRUPT_STATUS_RESERVED = 32'hfffffff8;
+  localparam int unsigned REG_INTERRUPT_STATUS_BITS = 32;
+  localparam logic [REG_INTERRUPT_STATUS_BITS-1:0] REG_INTERRUPT_STATUS_RESERVED = 32'hfffffff8;
 
   typedef struct packed {
     logic [28:0] reserved_0;
@@ -581,23 +667,27 @@
     logic fault;
     logic done;
   } reg_interrupt_mask_t;
-  localparam logic [31:0] REG_INTERRUPT_MASK_RESERVED = 32'hfffffff8;
+  localparam int unsigned REG_INTERRUPT_MASK_BITS = 32;
+  localparam logic [REG_INTERRUPT_MASK_BITS-1:0] REG_INTERRUPT_MASK_RESERVED = 32'hfffffff8;
 
   typedef struct packed {
     logic [27:0] reserved_0;
     logic [3:0] log2;
   } reg_ring_log2_t;
-  localparam logic [31:0] REG_RING_LOG2_RESERVED = 32'hfffffff0;
+  localparam int unsigned REG_RING_LOG2_BITS = 32;
+  localparam logic [REG_RING_LOG2_BITS-1:0] REG_RING_LOG2_RESERVED = 32'hfffffff0;
 
   typedef struct packed {
     logic [15:0] reserved_0;
     logic [15:0] jobs;
   } reg_head_t;
-  localparam logic [31:0] REG_HEAD_RESERVED = 32'hffff0000;
+  localparam int unsigned REG_HEAD_BITS = 32;
+  localparam logic [REG_HEAD_BITS-1:0] REG_HEAD_RESERVED = 32'hffff0000;
 
   typedef struct packed {
     logic [15:0] reserved_0;
     logic [15:0] jobs;
   } reg_tail_t;
-  localparam logic [31:0] REG_TAIL_RESERVED = 32'hffff0000;
+  localparam int unsigned REG_TAIL_BITS = 32;
+  localparam logic [REG_TAIL_BITS-1:0] REG_TAIL_RESERVED = 32'hffff0000;
 

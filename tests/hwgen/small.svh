@@ -49,7 +49,10 @@
     logic [7:0] reserved_1;
     logic signed [11:0] y;
   } place_t;
-  localparam logic [95:0] PLACE_RESERVED = 96'h00000000ffffffff000ff000;
+  localparam int unsigned PLACE_BITS = 96;
+  localparam logic [PLACE_BITS-1:0] PLACE_RESERVED = {
+    32'h00000000, 32'hffffffff, 32'h000ff000
+  };
 
   typedef struct packed {
     logic [3:0] level;  // word 1
@@ -59,33 +62,40 @@
     logic [7:0] size_high;
     logic [31:0] size;  // word 0
   } extent_t;
-  localparam logic [63:0] EXTENT_RESERVED = 64'h0fff0f0000000000;
+  localparam int unsigned EXTENT_BITS = 64;
+  localparam logic [EXTENT_BITS-1:0] EXTENT_RESERVED = {
+    32'h0fff0f00, 32'h00000000
+  };
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } stop_header_t;
-  localparam logic [31:0] STOP_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned STOP_HEADER_BITS = 32;
+  localparam logic [STOP_HEADER_BITS-1:0] STOP_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } skip_header_t;
-  localparam logic [31:0] SKIP_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned SKIP_HEADER_BITS = 32;
+  localparam logic [SKIP_HEADER_BITS-1:0] SKIP_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
   } data_header_t;
-  localparam logic [31:0] DATA_HEADER_RESERVED = 32'h00fff800;
+  localparam int unsigned DATA_HEADER_BITS = 32;
+  localparam logic [DATA_HEADER_BITS-1:0] DATA_HEADER_RESERVED = 32'h00fff800;
 
   typedef struct packed {
     logic [31:0] address;
   } data_t;
-  localparam logic [31:0] DATA_RESERVED = 32'h00000000;
+  localparam int unsigned DATA_BITS = 32;
+  localparam logic [DATA_BITS-1:0] DATA_RESERVED = 32'h00000000;
 
   typedef struct packed {
     logic [7:0] opcode;
@@ -95,7 +105,8 @@
     logic [1:0] form;
     logic [10:0] length;
   } draw_header_t;
-  localparam logic [31:0] DRAW_HEADER_RESERVED = 32'h0000c000;
+  localparam int unsigned DRAW_HEADER_BITS = 32;
+  localparam logic [DRAW_HEADER_BITS-1:0] DRAW_HEADER_RESERVED = 32'h0000c000;
 
   typedef struct packed {
     logic [21:0] reserved_0;
@@ -103,36 +114,44 @@
     logic [5:0] reserved_1;
     logic [1:0] colour;
   } state_t;
-  localparam logic [31:0] STATE_RESERVED = 32'hfffffcfc;
+  localparam int unsigned STATE_BITS = 32;
+  localparam logic [STATE_BITS-1:0] STATE_RESERVED = 32'hfffffcfc;
 
   typedef struct packed {
     logic [23:0] reserved_0;  // word 1
     logic [7:0] high;
     logic [31:0] low;  // word 0
   } entry_t;
-  localparam logic [63:0] ENTRY_RESERVED = 64'hffffff0000000000;
+  localparam int unsigned ENTRY_BITS = 64;
+  localparam logic [ENTRY_BITS-1:0] ENTRY_RESERVED = {
+    32'hffffff00, 32'h00000000
+  };
 
   typedef struct packed {
     logic [23:0] reserved_0;
     logic [7:0] size;
   } message_t;
-  localparam logic [31:0] MESSAGE_RESERVED = 32'hffffff00;
+  localparam int unsigned MESSAGE_BITS = 32;
+  localparam logic [MESSAGE_BITS-1:0] MESSAGE_RESERVED = 32'hffffff00;
 
   typedef struct packed {
     logic [31:0] length;
   } wave_t;
-  localparam logic [31:0] WAVE_RESERVED = 32'h00000000;
+  localparam int unsigned WAVE_BITS = 32;
+  localparam logic [WAVE_BITS-1:0] WAVE_RESERVED = 32'h00000000;
 
   typedef struct packed {
     logic [3:0] power;
     logic [25:0] reserved_0;
     logic [1:0] colour;
   } reg_state_t;
-  localparam logic [31:0] REG_STATE_RESERVED = 32'h0ffffffc;
+  localparam int unsigned REG_STATE_BITS = 32;
+  localparam logic [REG_STATE_BITS-1:0] REG_STATE_RESERVED = 32'h0ffffffc;
 
   typedef struct packed {
     logic [30:0] reserved_0;
     logic fast;
   } reg_wire_speed_t;
-  localparam logic [31:0] REG_WIRE_SPEED_RESERVED = 32'hfffffffe;
+  localparam int unsigned REG_WIRE_SPEED_BITS = 32;
+  localparam logic [REG_WIRE_SPEED_BITS-1:0] REG_WIRE_SPEED_RESERVED = 32'hfffffffe;
 

@@ -108,6 +108,23 @@ static void write_word(FILE *out, const struct hw_record *r, unsigned int word,
 	}
 }
 
+/* A number, or of several words a list, highest first, six to a line. */
+static void write_reserved(FILE *out, const struct hw_record *r, unsigned int first,
+			   unsigned int words)
+{
+	if (words == 1) {
+		fprintf(out, "32'h%08x", hw_reserved(r, first));
+		return;
+	}
+	fputc('{', out);
+	for (unsigned int n = 0; n < words; n++) {
+		fputs(n % 6 == 0 ? "\n    " : " ", out);
+		fprintf(out, "32'h%08x%s", hw_reserved(r, first + words - 1 - n),
+			n + 1 < words ? "," : "");
+	}
+	fputs("\n  }", out);
+}
+
 static void write_struct(FILE *out, const struct hw_record *r, unsigned int first,
 			 unsigned int words, const char *suffix, const char *upper_suffix)
 {
@@ -119,10 +136,13 @@ static void write_struct(FILE *out, const struct hw_record *r, unsigned int firs
 	for (unsigned int word = first + words; word-- > first;)
 		write_word(out, r, word, &reserved);
 	fprintf(out, "  } %s%s%s_t;\n", is_register ? "reg_" : "", r->name, suffix);
-	fprintf(out, "  localparam logic [%u:0] %s%s%s_RESERVED = %u'h", 32 * words - 1,
-		is_register ? "REG_" : "", hw_upper(upper, r->name), upper_suffix, 32 * words);
-	for (unsigned int word = first + words; word-- > first;)
-		fprintf(out, "%08x", hw_reserved(r, word));
+	hw_upper(upper, r->name);
+	fprintf(out, "  localparam int unsigned %s%s%s_BITS = %u;\n", is_register ? "REG_" : "",
+		upper, upper_suffix, 32 * words);
+	fprintf(out, "  localparam logic [%s%s%s_BITS-1:0] %s%s%s_RESERVED = ",
+		is_register ? "REG_" : "", upper, upper_suffix, is_register ? "REG_" : "", upper,
+		upper_suffix);
+	write_reserved(out, r, first, words);
 	fputs(";\n\n", out);
 }
 
