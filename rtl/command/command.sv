@@ -163,7 +163,7 @@ module command #(
     .stall_stream_o(packet_stall_stream), .stall_memory_o
   );
 
-  memory_slot slot (
+  command_slot slot (
     .clk_i, .rst_ni,
     .slot_write_i, .slot_index_i, .slot_base_i, .slot_size_i, .slot_rights_i,
     .ask_i(ask), .slot_i(ask_slot), .write_i(ask_write), .offset_i(word), .extent_i(ask_extent),

@@ -30,7 +30,7 @@ module command_packet #(
   output logic [1:0]                push_part_o,
   input  logic                      push_ready_i,
 
-  // to memory_slot
+  // to command_slot
   output logic                      ask_o,
   output logic [3:0]                ask_slot_o,
   output logic                      ask_write_o,

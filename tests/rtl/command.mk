@@ -25,7 +25,7 @@ rtl-lib: $(LIB_BENCHES) ## the streams of rtl/lib, with random stalls
 
 # command, at the ends of its parameters.
 COMMAND_CORES := 32-1-32 64-2-64 64-8-128
-COMMAND_SOURCES = rtl/gloss_pkg.sv $(wildcard rtl/command/*.sv) rtl/memory/memory_slot.sv \
+COMMAND_SOURCES = rtl/gloss_pkg.sv $(wildcard rtl/command/*.sv) \
 	rtl/lib/ram_1r1w.sv rtl/lib/ram_fifo.sv rtl/lib/stream_register.sv
 
 COMMAND_MODEL := $(addprefix $(BUILD)/libaccel/model/,command_check.o memory.o)

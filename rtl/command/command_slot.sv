@@ -2,7 +2,7 @@
 // The slot table and the check of an access against it: the only way from a stream's offsets to addresses.
 // A question is put with ask_i; its other inputs hold until the answer, which is valid_o three clocks later.
 // No sum here can overflow, but the address: whoever writes the table sees to base + size <= 2^32.
-module memory_slot (
+module command_slot (
   input  logic        clk_i,
   input  logic        rst_ni,
 
