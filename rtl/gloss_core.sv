@@ -4,9 +4,10 @@
 //   stream -> command -> tile's gate -> raster_shade -> fragment <-> tile buffers
 //                   \-> memory <-> AXI4                     tile <-> memory
 //
-// The slot table is written between jobs, all of it before the first. A job's stream has as many beats as its words
-// need and is taken to its end, also after a fault. The status comes when nothing of the job is left: writes are
-// acknowledged, answers are taken. Words 0 to count-1 of a response beat are valid.
+// The slot table is written between jobs, all of it before the first. A job's stream has as many
+// beats as its words need and is taken to its end, also after a fault. The status comes when
+// nothing of the job is left: writes are acknowledged, answers are taken. Words 0 to count-1 of a
+// response beat are valid.
 module gloss_core #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -66,7 +67,10 @@ module gloss_core #(
 );
 
   core_parameters #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits),
+    .TimeCounters  (TimeCounters)
   ) u_parameters ();
 
   localparam int unsigned XBits = $clog2(TileSize / PixelsPerClock);
@@ -125,108 +129,237 @@ module gloss_core #(
   logic                      stall_stream, stall_memory, stall_tile, stall_raster, stall_response;
 
   command #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits)
   ) u_command (
-    .clk_i, .rst_ni,
-    .slot_write_i, .slot_index_i, .slot_base_i, .slot_size_i, .slot_rights_i,
-    .job_valid_i, .job_ready_o, .job_stream_words_i, .job_response_words_i,
-    .stream_valid_i, .stream_ready_o, .stream_data_i,
-    .status_valid_o, .status_ready_i, .status_o,
-    .render_valid_o(render_valid), .render_ready_i(render_ready),
-    .render_op_o(render_op), .render_data_o(render_data),
-    .tile_begin_valid_o(tile_begin_valid), .tile_begin_ready_i(tile_begin_ready),
-    .tile_begin_o(tile_begin),
-    .tile_end_valid_o(tile_end_valid), .tile_end_ready_i(tile_end_ready), .tile_end_o(tile_end),
-    .tile_idle_i(tile_idle),
-    .copy_valid_o(copy_valid), .copy_ready_i(copy_ready), .copy_o(copy),
-    .copy_data_valid_o(copy_data_valid), .copy_data_ready_i(copy_data_ready),
-    .copy_data_o(copy_data), .copy_idle_i(copy_idle),
-    .memory_error_i(memory_error), .memory_error_clear_o(memory_error_clear),
-    .covered_i(covered), .passed_i(passed), .work_clear_o(work_clear),
-    .response_valid_o(counters_valid), .response_ready_i(counters_ready),
-    .response_count_o(counters_count), .response_data_o(counters_data),
-    .stall_stream_o(stall_stream), .stall_memory_o(stall_memory)
+    .clk_i               (clk_i),
+    .rst_ni              (rst_ni),
+    .slot_write_i        (slot_write_i),
+    .slot_index_i        (slot_index_i),
+    .slot_base_i         (slot_base_i),
+    .slot_size_i         (slot_size_i),
+    .slot_rights_i       (slot_rights_i),
+    .job_valid_i         (job_valid_i),
+    .job_ready_o         (job_ready_o),
+    .job_stream_words_i  (job_stream_words_i),
+    .job_response_words_i(job_response_words_i),
+    .stream_valid_i      (stream_valid_i),
+    .stream_ready_o      (stream_ready_o),
+    .stream_data_i       (stream_data_i),
+    .status_valid_o      (status_valid_o),
+    .status_ready_i      (status_ready_i),
+    .status_o            (status_o),
+    .render_valid_o      (render_valid),
+    .render_ready_i      (render_ready),
+    .render_op_o         (render_op),
+    .render_data_o       (render_data),
+    .tile_begin_valid_o  (tile_begin_valid),
+    .tile_begin_ready_i  (tile_begin_ready),
+    .tile_begin_o        (tile_begin),
+    .tile_end_valid_o    (tile_end_valid),
+    .tile_end_ready_i    (tile_end_ready),
+    .tile_end_o          (tile_end),
+    .tile_idle_i         (tile_idle),
+    .copy_valid_o        (copy_valid),
+    .copy_ready_i        (copy_ready),
+    .copy_o              (copy),
+    .copy_data_valid_o   (copy_data_valid),
+    .copy_data_ready_i   (copy_data_ready),
+    .copy_data_o         (copy_data),
+    .copy_idle_i         (copy_idle),
+    .memory_error_i      (memory_error),
+    .memory_error_clear_o(memory_error_clear),
+    .covered_i           (covered),
+    .passed_i            (passed),
+    .work_clear_o        (work_clear),
+    .response_valid_o    (counters_valid),
+    .response_ready_i    (counters_ready),
+    .response_count_o    (counters_count),
+    .response_data_o     (counters_data),
+    .stall_stream_o      (stall_stream),
+    .stall_memory_o      (stall_memory)
   );
 
   raster_shade #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits)
   ) u_raster_shade (
-    .clk_i, .rst_ni,
-    .valid_i(raster_valid), .ready_o(raster_ready),
-    .op_i(raster_op), .data_i(raster_data), .bank_i(raster_bank),
-    .block_valid_o(block_valid), .block_x_o(block_x), .block_y_o(block_y),
-    .block_mask_o(block_mask), .block_colour_o(block_colour), .block_depth_o(block_depth),
-    .block_state_o(block_state), .end_o(block_end), .end_bank_o(block_end_bank),
+    .clk_i         (clk_i),
+    .rst_ni        (rst_ni),
+    .valid_i       (raster_valid),
+    .ready_o       (raster_ready),
+    .op_i          (raster_op),
+    .data_i        (raster_data),
+    .bank_i        (raster_bank),
+    .block_valid_o (block_valid),
+    .block_x_o     (block_x),
+    .block_y_o     (block_y),
+    .block_mask_o  (block_mask),
+    .block_colour_o(block_colour),
+    .block_depth_o (block_depth),
+    .block_state_o (block_state),
+    .end_o         (block_end),
+    .end_bank_o    (block_end_bank),
     .stall_raster_o(stall_raster),
     /* verilator lint_off PINCONNECTEMPTY */
-    .idle_o() // tile_idle says more
+    .idle_o        () // tile_idle says more
     /* verilator lint_on PINCONNECTEMPTY */
   );
 
-  fragment #(.TileSize(TileSize), .PixelsPerClock(PixelsPerClock)) u_fragment (
-    .clk_i, .rst_ni,
-    .block_valid_i(block_valid), .block_x_i(block_x), .block_y_i(block_y),
-    .block_mask_i(block_mask), .block_colour_i(block_colour), .block_depth_i(block_depth),
-    .block_state_i(block_state), .end_i(block_end), .end_bank_i(block_end_bank),
-    .read_en_o(read_en), .read_bank_o(read_bank), .read_row_o(read_row),
-    .clear_colour_i(clear_colour), .clear_depth_i(clear_depth),
-    .row_colour_i(row_colour), .row_depth_i(row_depth),
-    .row_colour_fresh_i(row_colour_fresh), .row_depth_fresh_i(row_depth_fresh),
-    .write_en_o(write_en), .write_bank_o(write_bank), .write_row_o(write_row),
-    .write_colour_o(write_colour), .write_depth_o(write_depth),
-    .end_o(tile_drawn), .end_bank_o(tile_drawn_bank),
-    .work_clear_i(work_clear), .covered_o(covered), .passed_o(passed)
+  fragment #(
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock)
+  ) u_fragment (
+    .clk_i             (clk_i),
+    .rst_ni            (rst_ni),
+    .block_valid_i     (block_valid),
+    .block_x_i         (block_x),
+    .block_y_i         (block_y),
+    .block_mask_i      (block_mask),
+    .block_colour_i    (block_colour),
+    .block_depth_i     (block_depth),
+    .block_state_i     (block_state),
+    .end_i             (block_end),
+    .end_bank_i        (block_end_bank),
+    .read_en_o         (read_en),
+    .read_bank_o       (read_bank),
+    .read_row_o        (read_row),
+    .clear_colour_i    (clear_colour),
+    .clear_depth_i     (clear_depth),
+    .row_colour_i      (row_colour),
+    .row_depth_i       (row_depth),
+    .row_colour_fresh_i(row_colour_fresh),
+    .row_depth_fresh_i (row_depth_fresh),
+    .write_en_o        (write_en),
+    .write_bank_o      (write_bank),
+    .write_row_o       (write_row),
+    .write_colour_o    (write_colour),
+    .write_depth_o     (write_depth),
+    .end_o             (tile_drawn),
+    .end_bank_o        (tile_drawn_bank),
+    .work_clear_i      (work_clear),
+    .covered_o         (covered),
+    .passed_o          (passed)
   );
 
   tile #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits)
   ) u_tile (
-    .clk_i, .rst_ni,
-    .render_valid_i(render_valid), .render_ready_o(render_ready),
-    .render_op_i(render_op), .render_data_i(render_data),
-    .raster_valid_o(raster_valid), .raster_ready_i(raster_ready),
-    .raster_op_o(raster_op), .raster_data_o(raster_data), .raster_bank_o(raster_bank),
-    .tile_begin_valid_i(tile_begin_valid), .tile_begin_ready_o(tile_begin_ready),
-    .tile_begin_i(tile_begin),
-    .tile_end_valid_i(tile_end_valid), .tile_end_ready_o(tile_end_ready), .tile_end_i(tile_end),
-    .tile_idle_o(tile_idle), .stall_tile_o(stall_tile),
-    .read_en_i(read_en), .read_bank_i(read_bank), .read_row_i(read_row),
-    .clear_colour_o(clear_colour), .clear_depth_o(clear_depth),
-    .row_colour_o(row_colour), .row_depth_o(row_depth),
-    .row_colour_fresh_o(row_colour_fresh), .row_depth_fresh_o(row_depth_fresh),
-    .write_en_i(write_en), .write_bank_i(write_bank), .write_row_i(write_row),
-    .write_colour_i(write_colour), .write_depth_i(write_depth),
-    .end_i(tile_drawn), .end_bank_i(tile_drawn_bank),
-    .response_valid_o(answer_valid), .response_ready_i(answer_ready),
-    .response_count_o(answer_count), .response_data_o(answer_data),
-    .load_valid_o(load_valid), .load_ready_i(load_ready), .load_address_o(load_address),
-    .load_data_valid_i(load_data_valid), .load_data_i(load_data),
-    .store_valid_o(store_valid), .store_ready_i(store_ready), .store_address_o(store_address),
-    .store_data_valid_o(store_data_valid), .store_data_ready_i(store_data_ready),
-    .store_data_o(store_data), .store_data_last_o(store_data_last), .store_done_i(store_done)
+    .clk_i             (clk_i),
+    .rst_ni            (rst_ni),
+    .render_valid_i    (render_valid),
+    .render_ready_o    (render_ready),
+    .render_op_i       (render_op),
+    .render_data_i     (render_data),
+    .raster_valid_o    (raster_valid),
+    .raster_ready_i    (raster_ready),
+    .raster_op_o       (raster_op),
+    .raster_data_o     (raster_data),
+    .raster_bank_o     (raster_bank),
+    .tile_begin_valid_i(tile_begin_valid),
+    .tile_begin_ready_o(tile_begin_ready),
+    .tile_begin_i      (tile_begin),
+    .tile_end_valid_i  (tile_end_valid),
+    .tile_end_ready_o  (tile_end_ready),
+    .tile_end_i        (tile_end),
+    .tile_idle_o       (tile_idle),
+    .stall_tile_o      (stall_tile),
+    .read_en_i         (read_en),
+    .read_bank_i       (read_bank),
+    .read_row_i        (read_row),
+    .clear_colour_o    (clear_colour),
+    .clear_depth_o     (clear_depth),
+    .row_colour_o      (row_colour),
+    .row_depth_o       (row_depth),
+    .row_colour_fresh_o(row_colour_fresh),
+    .row_depth_fresh_o (row_depth_fresh),
+    .write_en_i        (write_en),
+    .write_bank_i      (write_bank),
+    .write_row_i       (write_row),
+    .write_colour_i    (write_colour),
+    .write_depth_i     (write_depth),
+    .end_i             (tile_drawn),
+    .end_bank_i        (tile_drawn_bank),
+    .response_valid_o  (answer_valid),
+    .response_ready_i  (answer_ready),
+    .response_count_o  (answer_count),
+    .response_data_o   (answer_data),
+    .load_valid_o      (load_valid),
+    .load_ready_i      (load_ready),
+    .load_address_o    (load_address),
+    .load_data_valid_i (load_data_valid),
+    .load_data_i       (load_data),
+    .store_valid_o     (store_valid),
+    .store_ready_i     (store_ready),
+    .store_address_o   (store_address),
+    .store_data_valid_o(store_data_valid),
+    .store_data_ready_i(store_data_ready),
+    .store_data_o      (store_data),
+    .store_data_last_o (store_data_last),
+    .store_done_i      (store_done)
   );
 
-  memory #(.TileSize(TileSize), .PixelsPerClock(PixelsPerClock)) u_memory (
-    .clk_i, .rst_ni,
-    .copy_valid_i(copy_valid), .copy_ready_o(copy_ready), .copy_i(copy),
-    .copy_data_valid_i(copy_data_valid), .copy_data_ready_o(copy_data_ready),
-    .copy_data_i(copy_data), .copy_idle_o(copy_idle),
-    .memory_error_o(memory_error), .memory_error_clear_i(memory_error_clear),
-    .response_valid_o(words_valid), .response_ready_i(words_ready),
-    .response_count_o(words_count), .response_data_o(words_data),
-    .load_valid_i(load_valid), .load_ready_o(load_ready), .load_address_i(load_address),
-    .load_data_valid_o(load_data_valid), .load_data_o(load_data),
-    .store_valid_i(store_valid), .store_ready_o(store_ready), .store_address_i(store_address),
-    .store_data_valid_i(store_data_valid), .store_data_ready_o(store_data_ready),
-    .store_data_i(store_data), .store_data_last_i(store_data_last), .store_done_o(store_done),
-    .axi_awvalid_o, .axi_awready_i, .axi_awaddr_o, .axi_awlen_o,
-    .axi_wvalid_o, .axi_wready_i, .axi_wdata_o, .axi_wstrb_o, .axi_wlast_o,
-    .axi_bvalid_i, .axi_bready_o, .axi_bresp_i,
-    .axi_arvalid_o, .axi_arready_i, .axi_araddr_o, .axi_arlen_o,
-    .axi_rvalid_i, .axi_rready_o, .axi_rdata_i, .axi_rlast_i, .axi_rresp_i
+  memory #(
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock)
+  ) u_memory (
+    .clk_i               (clk_i),
+    .rst_ni              (rst_ni),
+    .copy_valid_i        (copy_valid),
+    .copy_ready_o        (copy_ready),
+    .copy_i              (copy),
+    .copy_data_valid_i   (copy_data_valid),
+    .copy_data_ready_o   (copy_data_ready),
+    .copy_data_i         (copy_data),
+    .copy_idle_o         (copy_idle),
+    .memory_error_o      (memory_error),
+    .memory_error_clear_i(memory_error_clear),
+    .response_valid_o    (words_valid),
+    .response_ready_i    (words_ready),
+    .response_count_o    (words_count),
+    .response_data_o     (words_data),
+    .load_valid_i        (load_valid),
+    .load_ready_o        (load_ready),
+    .load_address_i      (load_address),
+    .load_data_valid_o   (load_data_valid),
+    .load_data_o         (load_data),
+    .store_valid_i       (store_valid),
+    .store_ready_o       (store_ready),
+    .store_address_i     (store_address),
+    .store_data_valid_i  (store_data_valid),
+    .store_data_ready_o  (store_data_ready),
+    .store_data_i        (store_data),
+    .store_data_last_i   (store_data_last),
+    .store_done_o        (store_done),
+    .axi_awvalid_o       (axi_awvalid_o),
+    .axi_awready_i       (axi_awready_i),
+    .axi_awaddr_o        (axi_awaddr_o),
+    .axi_awlen_o         (axi_awlen_o),
+    .axi_wvalid_o        (axi_wvalid_o),
+    .axi_wready_i        (axi_wready_i),
+    .axi_wdata_o         (axi_wdata_o),
+    .axi_wstrb_o         (axi_wstrb_o),
+    .axi_wlast_o         (axi_wlast_o),
+    .axi_bvalid_i        (axi_bvalid_i),
+    .axi_bready_o        (axi_bready_o),
+    .axi_bresp_i         (axi_bresp_i),
+    .axi_arvalid_o       (axi_arvalid_o),
+    .axi_arready_i       (axi_arready_i),
+    .axi_araddr_o        (axi_araddr_o),
+    .axi_arlen_o         (axi_arlen_o),
+    .axi_rvalid_i        (axi_rvalid_i),
+    .axi_rready_o        (axi_rready_o),
+    .axi_rdata_i         (axi_rdata_i),
+    .axi_rlast_i         (axi_rlast_i),
+    .axi_rresp_i         (axi_rresp_i)
   );
 
-  // Only one of the three answers at a time: counters and words wait for tiles, and each for the other.
+  // Only one of the three answers at a time: counters and words wait for tiles, and each for the
+  // other.
   assign counters_ready = response_ready_i;
   assign answer_ready = response_ready_i;
   assign words_ready = response_ready_i;
@@ -247,11 +380,16 @@ module gloss_core #(
 
   if (TimeCounters != 0) begin : gen_clocks
     command_clocks u_clocks (
-      .clk_i, .rst_ni,
-      .start_i(job_valid_i && job_ready_o), .end_i(status_valid_o),
-      .stall_stream_i(stall_stream), .stall_raster_i(stall_raster), .stall_tile_i(stall_tile),
-      .stall_memory_i(stall_memory), .stall_response_i(stall_response),
-      .time_o
+      .clk_i           (clk_i),
+      .rst_ni          (rst_ni),
+      .start_i         (job_valid_i && job_ready_o),
+      .end_i           (status_valid_o),
+      .stall_stream_i  (stall_stream),
+      .stall_raster_i  (stall_raster),
+      .stall_tile_i    (stall_tile),
+      .stall_memory_i  (stall_memory),
+      .stall_response_i(stall_response),
+      .time_o          (time_o)
     );
   end else begin : gen_no_clocks
     logic unused;

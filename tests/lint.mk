@@ -5,7 +5,7 @@
 # Each parameter at both its ends; the values between differ in nothing but width.
 LINT_CORES := 32-1-32 64-2-64 64-4-64 64-8-128 32-8-128
 
-.PHONY: lint-rtl lint-tidy lint-cppcheck
+.PHONY: lint-rtl lint-style lint-tidy lint-cppcheck
 # Not its report of times, which Verilator 5.032 prints to stdout.
 lint-rtl: ## verilator -Wall on the core and on the boards around it, at several parameters
 	$(call quiet,LINT,rtl)
@@ -17,6 +17,10 @@ lint-rtl: ## verilator -Wall on the core and on the boards around it, at several
 				$(BOARD_SOURCES) >/dev/null || exit 1; \
 		done; \
 	done
+
+lint-style: ## instances of the RTL in one form, lines up to 100 columns
+	$(call quiet,LINT,rtl style)
+	$(Q)tests/rtl/style
 
 # All of C but the driver's, which has the kernel's tools below.
 lint-tidy: $(BUILD)/compile_commands.json check-generated ## clang-tidy on the C sources, tests too
@@ -32,7 +36,7 @@ lint-cppcheck: check-generated ## cppcheck on the C sources, tests too
 		--error-exitcode=1 -Ilibaccel -Idriver $(filter -I%,$(FLAGS_tests)) \
 		--suppress=missingIncludeSystem --suppress=normalCheckLevelMaxBranches $(C_SOURCES)
 
-LINTS += lint-rtl lint-tidy lint-cppcheck
+LINTS += lint-rtl lint-style lint-tidy lint-cppcheck
 
 # ---- the driver ----
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Command: reads a job's stream, checks every packet against gloss.xml and the slot table before it has any effect,
-// and hands on what it asks for.
+// Command: reads a job's stream, checks every packet against gloss.xml and the slot table before it
+// has any effect, and hands on what it asks for.
 //
 //   stream -> command_align -> command_decode -> render queue           triangles, a row a clock
 //                                 command_packet -> tile, memory        all else, a step a clock
 //
-// TILE_BEGIN and TILE_END go to tile at once and leave a mark in the render queue; so loading runs ahead of drawing.
-// The queue is as deep as block RAM is anyway; it is what lets a tile of small triangles be loaded and stored beside
-// the drawing of others. tile_idle_i and copy_idle_i fall a clock after their op was taken
-// at the latest, and rise when nothing more of it can be seen: writes acknowledged, answers delivered.
+// TILE_BEGIN and TILE_END go to tile at once and leave a mark in the render queue; so loading runs
+// ahead of drawing. The queue is as deep as block RAM is anyway; it is what lets a tile of small
+// triangles be loaded and stored beside the drawing of others. tile_idle_i and copy_idle_i fall a
+// clock after their op was taken at the latest, and rise when nothing more of it can be seen:
+// writes acknowledged, answers delivered.
 module command #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -112,72 +113,172 @@ module command #(
   assign status_o.reserved_0 = '0;
   assign stall_stream_o = decode_stall_stream || packet_stall_stream;
 
-  command_align #(.StreamBits(StreamBits)) align (
-    .clk_i, .rst_ni,
-    .start_i(start), .words_i(job_stream_words_i),
-    .stream_valid_i, .stream_ready_o, .stream_data_i,
-    .words_o(words), .have_o(have), .take_i(take), .end_o(at_end), .left_o(left)
+  command_align #(
+    .StreamBits(StreamBits)
+  ) u_align (
+    .clk_i         (clk_i),
+    .rst_ni        (rst_ni),
+    .start_i       (start),
+    .words_i       (job_stream_words_i),
+    .stream_valid_i(stream_valid_i),
+    .stream_ready_o(stream_ready_o),
+    .stream_data_i (stream_data_i),
+    .words_o       (words),
+    .have_o        (have),
+    .take_i        (take),
+    .end_o         (at_end),
+    .left_o        (left)
   );
 
-  command_decode #(.TileSize(TileSize), .StreamBits(StreamBits)) decode (
-    .clk_i, .rst_ni,
-    .job_valid_i, .job_ready_o, .job_stream_words_i, .start_o(start),
-    .status_valid_o, .status_ready_i,
-    .status_cause_o(status_o.cause), .status_offset_o(status_o.offset),
-    .words_i(words), .have_i(have), .take_o(take), .end_i(at_end), .left_i(left),
-    .render_valid_o(queue_valid), .render_ready_i(queue_ready),
-    .render_op_o(queue_op), .render_data_o(queue_data), .triangle_o(triangle),
-    .packet_start_o(packet_start), .packet_drop_o(packet_drop),
-    .packet_done_i(packet_done), .packet_refuse_i(packet_refuse), .packet_cause_i(packet_cause),
-    .packet_take_i(packet_take), .packet_push_i(packet_push), .packet_kind_i(packet_kind),
-    .packet_part_i(packet_part), .packet_push_ready_o(packet_push_ready),
-    .header_o(header), .word_o(word), .in_tile_i(in_tile),
-    .idle_i(tile_idle_i && copy_idle_i), .memory_error_i,
-    .stall_stream_o(decode_stall_stream)
+  command_decode #(
+    .TileSize  (TileSize),
+    .StreamBits(StreamBits)
+  ) u_decode (
+    .clk_i              (clk_i),
+    .rst_ni             (rst_ni),
+    .job_valid_i        (job_valid_i),
+    .job_ready_o        (job_ready_o),
+    .job_stream_words_i (job_stream_words_i),
+    .start_o            (start),
+    .status_valid_o     (status_valid_o),
+    .status_ready_i     (status_ready_i),
+    .status_cause_o     (status_o.cause),
+    .status_offset_o    (status_o.offset),
+    .words_i            (words),
+    .have_i             (have),
+    .take_o             (take),
+    .end_i              (at_end),
+    .left_i             (left),
+    .render_valid_o     (queue_valid),
+    .render_ready_i     (queue_ready),
+    .render_op_o        (queue_op),
+    .render_data_o      (queue_data),
+    .triangle_o         (triangle),
+    .packet_start_o     (packet_start),
+    .packet_drop_o      (packet_drop),
+    .packet_done_i      (packet_done),
+    .packet_refuse_i    (packet_refuse),
+    .packet_cause_i     (packet_cause),
+    .packet_take_i      (packet_take),
+    .packet_push_i      (packet_push),
+    .packet_kind_i      (packet_kind),
+    .packet_part_i      (packet_part),
+    .packet_push_ready_o(packet_push_ready),
+    .header_o           (header),
+    .word_o             (word),
+    .in_tile_i          (in_tile),
+    .idle_i             (tile_idle_i && copy_idle_i),
+    .memory_error_i     (memory_error_i),
+    .stall_stream_o     (decode_stall_stream)
   );
 
-  ram_fifo #(.Width($bits(queue_op) + StreamBits), .Depth(QueueDepth)) queue (
-    .clk_i, .rst_ni,
-    .valid_i(queue_valid), .ready_o(queue_ready), .data_i({queue_op, queue_data}),
-    .valid_o(render_valid_o), .ready_i(render_ready_i), .data_o({render_op_o, render_data_o})
+  ram_fifo #(
+    .Width($bits(queue_op) + StreamBits),
+    .Depth(QueueDepth)
+  ) u_queue (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(queue_valid),
+    .ready_o(queue_ready),
+    .data_i ({queue_op, queue_data}),
+    .valid_o(render_valid_o),
+    .ready_i(render_ready_i),
+    .data_o ({render_op_o, render_data_o})
   );
 
-  command_packet #(.TileSize(TileSize)) packet (
-    .clk_i, .rst_ni,
-    .clear_i(start), .start_i(packet_start), .drop_i(packet_drop),
-    .done_o(packet_done), .refuse_o(packet_refuse), .cause_o(packet_cause), .in_tile_o(in_tile),
-    .header_i(header),
-    .word_valid_i(have != '0), .word_take_o(packet_take),
-    .word_i(word), .word_next_i(words[31:0]),
-    .push_o(packet_push), .push_kind_o(packet_kind), .push_part_o(packet_part),
-    .push_ready_i(packet_push_ready),
-    .ask_o(ask), .ask_slot_o(ask_slot), .ask_write_o(ask_write), .ask_extent_o(ask_extent),
-    .ask_valid_i(ask_valid), .ask_allowed_i(ask_allowed), .ask_address_i(ask_address),
-    .answer_words_o(answer_words), .answer_short_i(answer_short),
-    .answer_reserve_o(answer_reserve), .answer_send_o(answer_send), .answer_sent_i(answer_sent),
-    .tile_ended_o(tile_ended),
-    .tile_begin_valid_o, .tile_begin_ready_i, .tile_begin_o,
-    .tile_end_valid_o, .tile_end_ready_i, .tile_end_o, .tile_idle_i,
-    .copy_valid_o, .copy_ready_i, .copy_o,
-    .copy_data_valid_o, .copy_data_ready_i, .copy_data_o, .copy_idle_i,
-    .stall_stream_o(packet_stall_stream), .stall_memory_o
+  command_packet #(
+    .TileSize(TileSize)
+  ) u_packet (
+    .clk_i             (clk_i),
+    .rst_ni            (rst_ni),
+    .clear_i           (start),
+    .start_i           (packet_start),
+    .drop_i            (packet_drop),
+    .done_o            (packet_done),
+    .refuse_o          (packet_refuse),
+    .cause_o           (packet_cause),
+    .in_tile_o         (in_tile),
+    .header_i          (header),
+    .word_valid_i      (have != '0),
+    .word_take_o       (packet_take),
+    .word_i            (word),
+    .word_next_i       (words[31:0]),
+    .push_o            (packet_push),
+    .push_kind_o       (packet_kind),
+    .push_part_o       (packet_part),
+    .push_ready_i      (packet_push_ready),
+    .ask_o             (ask),
+    .ask_slot_o        (ask_slot),
+    .ask_write_o       (ask_write),
+    .ask_extent_o      (ask_extent),
+    .ask_valid_i       (ask_valid),
+    .ask_allowed_i     (ask_allowed),
+    .ask_address_i     (ask_address),
+    .answer_words_o    (answer_words),
+    .answer_short_i    (answer_short),
+    .answer_reserve_o  (answer_reserve),
+    .answer_send_o     (answer_send),
+    .answer_sent_i     (answer_sent),
+    .tile_ended_o      (tile_ended),
+    .tile_begin_valid_o(tile_begin_valid_o),
+    .tile_begin_ready_i(tile_begin_ready_i),
+    .tile_begin_o      (tile_begin_o),
+    .tile_end_valid_o  (tile_end_valid_o),
+    .tile_end_ready_i  (tile_end_ready_i),
+    .tile_end_o        (tile_end_o),
+    .tile_idle_i       (tile_idle_i),
+    .copy_valid_o      (copy_valid_o),
+    .copy_ready_i      (copy_ready_i),
+    .copy_o            (copy_o),
+    .copy_data_valid_o (copy_data_valid_o),
+    .copy_data_ready_i (copy_data_ready_i),
+    .copy_data_o       (copy_data_o),
+    .copy_idle_i       (copy_idle_i),
+    .stall_stream_o    (packet_stall_stream),
+    .stall_memory_o    (stall_memory_o)
   );
 
-  command_slot slot (
-    .clk_i, .rst_ni,
-    .slot_write_i, .slot_index_i, .slot_base_i, .slot_size_i, .slot_rights_i,
-    .ask_i(ask), .slot_i(ask_slot), .write_i(ask_write), .offset_i(word), .extent_i(ask_extent),
-    .valid_o(ask_valid), .allowed_o(ask_allowed), .address_o(ask_address)
+  command_slot u_slot (
+    .clk_i        (clk_i),
+    .rst_ni       (rst_ni),
+    .slot_write_i (slot_write_i),
+    .slot_index_i (slot_index_i),
+    .slot_base_i  (slot_base_i),
+    .slot_size_i  (slot_size_i),
+    .slot_rights_i(slot_rights_i),
+    .ask_i        (ask),
+    .slot_i       (ask_slot),
+    .write_i      (ask_write),
+    .offset_i     (word),
+    .extent_i     (ask_extent),
+    .valid_o      (ask_valid),
+    .allowed_o    (ask_allowed),
+    .address_o    (ask_address)
   );
 
-  command_answer #(.PixelsPerClock(PixelsPerClock)) answer (
-    .clk_i, .rst_ni,
-    .start_i(start), .room_i(job_response_words_i),
-    .words_i(answer_words), .short_o(answer_short), .reserve_i(answer_reserve),
-    .commit_i(packet_done), .cancel_i(packet_refuse), .used_o(status_o.response_words),
-    .triangle_i(triangle), .tile_i(tile_ended), .covered_i, .passed_i,
-    .send_i(answer_send), .sent_o(answer_sent),
-    .response_valid_o, .response_ready_i, .response_count_o, .response_data_o
+  command_answer #(
+    .PixelsPerClock(PixelsPerClock)
+  ) u_answer (
+    .clk_i           (clk_i),
+    .rst_ni          (rst_ni),
+    .start_i         (start),
+    .room_i          (job_response_words_i),
+    .words_i         (answer_words),
+    .short_o         (answer_short),
+    .reserve_i       (answer_reserve),
+    .commit_i        (packet_done),
+    .cancel_i        (packet_refuse),
+    .used_o          (status_o.response_words),
+    .triangle_i      (triangle),
+    .tile_i          (tile_ended),
+    .covered_i       (covered_i),
+    .passed_i        (passed_i),
+    .send_i          (answer_send),
+    .sent_o          (answer_sent),
+    .response_valid_o(response_valid_o),
+    .response_ready_i(response_ready_i),
+    .response_count_o(response_count_o),
+    .response_data_o (response_data_o)
   );
 
 endmodule

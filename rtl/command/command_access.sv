@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a payload word asks for in the packets other than TRIANGLE: whether its own bits are right, which bytes of
-// which slot it names, how much it wants to answer. COUNTERS, which has no payload, is asked about with its header.
-// Combinational.
+// What a payload word asks for in the packets other than TRIANGLE: whether its own bits are right,
+// which bytes of which slot it names, how much it wants to answer. COUNTERS, which has no payload,
+// is asked about with its header. Combinational.
 module command_access #(
   parameter int unsigned TileSize = 64
 ) (
@@ -16,7 +16,7 @@ module command_access #(
 
   output logic        bad_value_o,
   output logic        not_set_o,        // the surface it needs
-  output logic        access_o,         // slot, write, extent are to be checked, the offset is word_i
+  output logic        access_o,         // check slot, write and extent; the offset is word_i
   output logic [3:0]  slot_o,
   output logic        write_o,
   output logic [22:0] extent_o,         // bytes

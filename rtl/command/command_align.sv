@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beats to words: shows the next StreamBits/32 words of the job at whatever word they start, and counts the words
-// left. A beat is fetched only if the job has words in it, so the next job's wait; what is left over of a job's last
-// beat is forgotten at the next start. From the port to words_o a beat takes one clock, with several words a beat two.
+// Beats to words: shows the next StreamBits/32 words of the job at whatever word they start, and
+// counts the words left. A beat is fetched only if the job has words in it, so the next job's wait;
+// what is left over of a job's last beat is forgotten at the next start. From the port to words_o a
+// beat takes one clock, with several words a beat two.
 module command_align #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -19,14 +20,15 @@ module command_align #(
   output logic [$clog2(StreamBits/32+1)-1:0] have_o,  // how many of them are there
   input  logic [$clog2(StreamBits/32+1)-1:0] take_i,  // at most have_o
   output logic                               end_o,   // all words of the job were taken
-  output logic [31:0]                        left_o   // words of the job left, but for what was taken a clock ago
+  output logic [31:0]                        left_o   // of the job, a clock late
 );
 
   localparam int unsigned Lanes = StreamBits / 32;
   localparam int unsigned CountBits = $clog2(Lanes + 1);
 
-  // Keeps the wide counter out of the way from the stream to the decoder and back: it follows a clock later. Ample is
-  // that at least 8*Lanes words were left two clocks ago, so more than Lanes are now; else the low bits tell all.
+  // Keeps the wide counter out of the way from the stream to the decoder and back: it follows a
+  // clock later. Ample is that at least 8*Lanes words were left two clocks ago, so more than Lanes
+  // are now; else the low bits tell all.
   logic [31:0]           left_q;
   logic [CountBits-1:0]  take_q;
   logic                  ample_q;
@@ -35,10 +37,17 @@ module command_align #(
   logic                  beat_valid, beat_ready;
   logic [StreamBits-1:0] beat;
 
-  stream_register #(.Width(StreamBits)) port (
-    .clk_i, .rst_ni,
-    .valid_i(stream_valid_i), .ready_o(stream_ready_o), .data_i(stream_data_i),
-    .valid_o(beat_valid), .ready_i(beat_ready), .data_o(beat)
+  stream_register #(
+    .Width(StreamBits)
+  ) u_input (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(stream_valid_i),
+    .ready_o(stream_ready_o),
+    .data_i (stream_data_i),
+    .valid_o(beat_valid),
+    .ready_i(beat_ready),
+    .data_o (beat)
   );
 
   assign end_o = !ample_q && few_q == '0;

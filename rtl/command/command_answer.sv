@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The job's response: how much room is left, what COUNTERS says, and the beats that say it. The words of a packet are
-// reserved as it is checked and count only when it is executed. That it was is taken into a register first: nobody asks
-// for the sums before the header of the next packet is checked.
+// The job's response: how much room is left, what COUNTERS says, and the beats that say it. The
+// words of a packet are reserved as it is checked and count only when it is executed. That it was
+// is taken into a register first: nobody asks for the sums before the header of the next packet is
+// checked.
 module command_answer #(
   parameter int unsigned PixelsPerClock = 1
 ) (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the clocks of a job went: counted from the clock it is taken to the one its status is there, then held.
+// Where the clocks of a job went: counted from the clock it is taken to the one its status is
+// there, then held.
 module command_clocks (
   input  logic                      clk_i,
   input  logic                      rst_ni,
@@ -20,7 +21,8 @@ module command_clocks (
   logic [Counters-1:0]    event_now; // in the order of time_counters_t
   logic [32*Counters-1:0] count_q;
 
-  assign event_now = {stall_response_i, stall_memory_i, stall_tile_i, stall_raster_i, stall_stream_i, 1'b1};
+  assign event_now = {stall_response_i, stall_memory_i, stall_tile_i, stall_raster_i,
+                      stall_stream_i, 1'b1};
   assign time_o = count_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks a job's stream: takes headers, passes triangles on as rows for the render queue, gives other packets to
-// command_packet, and ends the job with its status.
+// Walks a job's stream: takes headers, passes triangles on as rows for the render queue, gives
+// other packets to command_packet, and ends the job with its status.
 //
-// Words move in two steps. In the first they are taken from the aligner into row_q; in the second they are checked and
-// go to the render queue. What the check of a row says is known a clock after that, of a header two; so a triangle is
-// sent before it is known to be right, and RENDER_GO, which follows the last row, is what a fault holds back. A record
-// takes a clock for each of header, rows and RENDER_GO.
+// Words move in two steps. In the first they are taken from the aligner into row_q; in the second
+// they are checked and go to the render queue. What the check of a row says is known a clock after
+// that, of a header two; so a triangle is sent before it is known to be right, and RENDER_GO, which
+// follows the last row, is what a fault holds back. A record takes a clock for each of header, rows
+// and RENDER_GO.
 module command_decode #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32
@@ -99,8 +100,9 @@ module command_decode #(
   logic [1:0]           row_part;
   logic [4:0]           row_row;
 
-  // A fault: refused_q for a clock, in which nothing moves. What each check said goes to registers first; the one that
-  // counts is chosen in that clock, and then cause and place stay in cause_q and behind_q.
+  // A fault: refused_q for a clock, in which nothing moves. What each check said goes to registers
+  // first; the one that counts is chosen in that clock, and then cause and place stay in cause_q
+  // and behind_q.
   logic                 refused_q, refuse, step_refuse;
   logic [3:0]           step_cause, step_cause_q, header_fault_q, cause_q;
   logic                 row_refuse, row_refuse_q;
@@ -109,16 +111,32 @@ module command_decode #(
   logic [3:0]           behind_q;
   logic [31:0]          offset_q;
 
-  command_header header_check (
-    .clk_i, .rst_ni,
-    .check_i(header_check_q), .header_i(row_q[31:0]), .left_i, .in_tile_i, .fault_o(header_fault)
+  command_header u_header (
+    .clk_i    (clk_i),
+    .rst_ni   (rst_ni),
+    .check_i  (header_check_q),
+    .header_i (row_q[31:0]),
+    .left_i   (left_i),
+    .in_tile_i(in_tile_i),
+    .fault_o  (header_fault)
   );
 
-  command_record #(.TileSize(TileSize), .StreamBits(StreamBits)) record (
-    .clk_i, .rst_ni,
-    .start_i(header_take), .header_i(words_i[31:0]),
-    .words_o(row_words), .part_o(row_part), .row_o(row_row), .last_o(row_last), .take_i(row_take),
-    .data_i(row_q), .bad_o(row_bad), .behind_o(row_behind)
+  command_record #(
+    .TileSize  (TileSize),
+    .StreamBits(StreamBits)
+  ) u_record (
+    .clk_i   (clk_i),
+    .rst_ni  (rst_ni),
+    .start_i (header_take),
+    .header_i(words_i[31:0]),
+    .words_o (row_words),
+    .part_o  (row_part),
+    .row_o   (row_row),
+    .last_o  (row_last),
+    .take_i  (row_take),
+    .data_i  (row_q),
+    .bad_o   (row_bad),
+    .behind_o(row_behind)
   );
 
   assign start_o = job_valid_i && job_ready_o;
@@ -285,7 +303,8 @@ module command_decode #(
 
   // ---- faults ----
   assign row_refuse = row_check_q && row_bad;
-  assign refuse = !refused_q && (step_refuse || row_refuse || header_fault != gloss_pkg::FAULT_NONE);
+  assign refuse = !refused_q &&
+                  (step_refuse || row_refuse || header_fault != gloss_pkg::FAULT_NONE);
 
   always_ff @(posedge clk_i) begin
     step_cause_q <= step_cause;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Executes the packets that set state, open and close tiles, copy memory or answer counters: takes the payload a word
-// at a time, checks it, and hands on what it asks for. These packets are rare beside triangles, so each step has its
-// own clock. Answers start_i or drop_i with either done_o or refuse_o; nothing of a refused packet was handed on.
+// Executes the packets that set state, open and close tiles, copy memory or answer counters: takes
+// the payload a word at a time, checks it, and hands on what it asks for. These packets are rare
+// beside triangles, so each step has its own clock. Answers start_i or drop_i with either done_o or
+// refuse_o; nothing of a refused packet was handed on.
 module command_packet #(
   parameter int unsigned TileSize = 64
 ) (
@@ -111,13 +112,22 @@ module command_packet #(
   assign two_words = header_i[10:0] >= 11'd2;
   assign about_depth = second_q;
 
-  command_access #(.TileSize(TileSize)) access_of (
-    .header_i, .second_i(second_q), .word_i, .first_i(first_q),
-    .surface_slot_i(about_depth ? depth_slot_q : colour_slot_q),
+  command_access #(
+    .TileSize(TileSize)
+  ) u_access (
+    .header_i       (header_i),
+    .second_i       (second_q),
+    .word_i         (word_i),
+    .first_i        (first_q),
+    .surface_slot_i (about_depth ? depth_slot_q : colour_slot_q),
     .surface_pitch_i(about_depth ? depth_pitch_q : colour_pitch_q),
-    .bad_value_o(bad_value), .not_set_o(not_set), .access_o(access),
-    .slot_o(ask_slot_o), .write_o(ask_write_o), .extent_o(ask_extent_o),
-    .answer_o(answer_words_o)
+    .bad_value_o    (bad_value),
+    .not_set_o      (not_set),
+    .access_o       (access),
+    .slot_o         (ask_slot_o),
+    .write_o        (ask_write_o),
+    .extent_o       (ask_extent_o),
+    .answer_o       (answer_words_o)
   );
 
   always_comb begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of a triangle's record: how many words the next one has, which part it belongs to, and whether the row
-// taken before it is right. A part starts in lane 0 of a row.
+// The rows of a triangle's record: how many words the next one has, which part it belongs to, and
+// whether the row taken before it is right. A part starts in lane 0 of a row.
 module command_record #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32
@@ -21,7 +21,7 @@ module command_record #(
   // the row taken last
   input  logic [StreamBits-1:0]              data_i,
   output logic                               bad_o,
-  output logic [$clog2(StreamBits/32+1)-1:0] behind_o  // words from the first bad one to the row's end
+  output logic [$clog2(StreamBits/32+1)-1:0] behind_o  // words from the first bad one on
 );
 
   localparam int unsigned Lanes = StreamBits / 32;
@@ -46,7 +46,8 @@ module command_record #(
   logic [CountBits-1:0] words_q;            // of the row: as many as there are and fit
   logic                 ends_q;             // the row is its part's last
 
-  function automatic logic [4:0] part_words(logic [1:0] part, logic [1:0] geometry, logic [1:0] shading);
+  function automatic logic [4:0] part_words(logic [1:0] part, logic [1:0] geometry,
+                                            logic [1:0] shading);
     unique case (part)
       gloss_pkg::PART_EDGES:
         part_words = 5'(geometry == gloss_pkg::GEOMETRY_WIDE ? gloss_pkg::EDGES_WIDE_WORDS
@@ -85,7 +86,8 @@ module command_record #(
       rest_next = part_words(part_next, header.geometry, header.shading);
     end else begin
       part_next = ends_q ? after : part_q;
-      rest_next = ends_q ? part_words(after, header_q.geometry, header_q.shading) : rest_q - 5'(Lanes);
+      rest_next = ends_q ? part_words(after, header_q.geometry, header_q.shading)
+                         : rest_q - 5'(Lanes);
     end
   end
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slot table and the check of an access against it: the only way from a stream's offsets to addresses.
-// A question is put with ask_i; its other inputs hold until the answer, which is valid_o three clocks later.
-// No sum here can overflow, but the address: whoever writes the table sees to base + size <= 2^32.
+// The slot table and the check of an access against it: the only way from a stream's offsets to
+// addresses. A question is put with ask_i; its other inputs hold until the answer, which is valid_o
+// three clocks later. No sum here can overflow, but the address: whoever writes the table sees to
+// base + size <= 2^32.
 module command_slot (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -33,14 +34,17 @@ module command_slot (
   logic        right_q, allowed_q;
   logic [2:0]  asked_q;
 
-  ram_1r1w #(.Width(66), .Depth(gloss_pkg::Slots)) slots (
-    .clk_i,
-    .write_en_i(slot_write_i),
+  ram_1r1w #(
+    .Width(66),
+    .Depth(gloss_pkg::Slots)
+  ) u_slots (
+    .clk_i       (clk_i),
+    .write_en_i  (slot_write_i),
     .write_addr_i(slot_index_i),
     .write_data_i({slot_rights_i, slot_size_i, slot_base_i}),
-    .read_en_i(ask_i),
-    .read_addr_i(slot_i),
-    .read_data_o({rights, size, base})
+    .read_en_i   (ask_i),
+    .read_addr_i (slot_i),
+    .read_data_o ({rights, size, base})
   );
 
   assign valid_o = asked_q[2];

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests blocks of pixels against the tile's depth and merges them into the tile: K pixels a clock, never stalls.
+// Tests blocks of pixels against the tile's depth and merges them into the tile: K pixels a clock,
+// never stalls.
 //
-// A block is read in the clock it arrives and written two clocks later, so a block may come again three clocks after
-// itself; nothing is forwarded. raster keeps that distance: no block twice in a triangle, two idle clocks between triangles.
+// A block is read in the clock it arrives and written two clocks later, so a block may come again
+// three clocks after itself; nothing is forwarded. raster keeps that distance: no block twice in a
+// triangle, two idle clocks between triangles.
 module fragment #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -23,8 +25,9 @@ module fragment #(
   input  logic                         end_i,
   input  logic                         end_bank_i,
 
-  // to tile: the row {y, x} of a bank; its clear values are there one clock after the read, the row two clocks after.
-  // A word that is not fresh was not written in this tile: it stands for the clear value.
+  // to tile: the row {y, x} of a bank; its clear values are there one clock after the read, the row
+  // two clocks after. A word that is not fresh was not written in this tile: it stands for the
+  // clear value.
   output logic                         read_en_o,
   output logic                         read_bank_o,
   output logic [YBits+XBits-1:0]       read_row_o,
@@ -50,7 +53,8 @@ module fragment #(
 
   localparam int unsigned K = PixelsPerClock;
 
-  // One clock after the block came: its test against the clear value, for words that turn out not to be fresh.
+  // One clock after the block came: its test against the clear value, for words that turn out not
+  // to be fresh.
   logic                    test_valid_q;
   logic [YBits+XBits-1:0]  test_row_q;
   logic [K-1:0]            test_mask_q, test_pass;
@@ -67,7 +71,8 @@ module fragment #(
   gloss_pkg::pixel_state_t merge_state_q;
   logic [31:0]             merge_clear_colour_q, merge_clear_depth_q;
 
-  // The last block of a tile came a clock before end_i at the latest; five clocks after a block it is counted.
+  // The last block of a tile came a clock before end_i at the latest; five clocks after a block it
+  // is counted.
   logic [3:0] end_q, end_bank_q;
 
   assign read_en_o = block_valid_i;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the set bits of a mask a clock, modulo 2^32: bits given in a clock are in the count three clocks later.
+// Counts the set bits of a mask a clock, modulo 2^32: bits given in a clock are in the count three
+// clocks later.
 module fragment_count #(
   parameter int unsigned Width = 8
 ) (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The depth test of one pixel; combinational. The bits of a depth function are the outcomes it accepts: less, equal,
-// greater.
+// The depth test of one pixel; combinational. The bits of a depth function are the outcomes it
+// accepts: less, equal, greater.
 module fragment_depth (
   input  logic [2:0]  func_i,
   input  logic [23:0] depth_i,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of one pixel after a fragment was tested; combinational. The stencil byte of the depth word is kept.
+// The words of one pixel after a fragment was tested; combinational. The stencil byte of the depth
+// word is kept.
 module fragment_merge (
   input  logic        pass_i,
   input  logic [3:0]  colour_mask_i,

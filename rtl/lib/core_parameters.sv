@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refuses a core or a port of parameters that nobody has built or tested, with a reason, when it is elaborated. No logic.
+// Refuses a core or a port of parameters that nobody has built or tested, with a reason, when it is
+// elaborated. No logic.
 module core_parameters #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -10,7 +11,8 @@ module core_parameters #(
   if (TileSize != 32 && TileSize != 64) begin : gen_tile_size
     $error("TileSize must be 32 or 64");
   end
-  if (PixelsPerClock != 1 && PixelsPerClock != 2 && PixelsPerClock != 4 && PixelsPerClock != 8) begin : gen_pixels
+  if (PixelsPerClock != 1 && PixelsPerClock != 2 &&
+      PixelsPerClock != 4 && PixelsPerClock != 8) begin : gen_pixels
     $error("PixelsPerClock must be 1, 2, 4 or 8");
   end
   if (StreamBits != 32 && StreamBits != 64 && StreamBits != 128) begin : gen_stream_bits

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory with one read and one write port that infers block RAM: the word at read_addr_i is out one clock after
-// read_en_i and stays until the next read. The address that is being written must not be read: block RAM gives any word
-// then. The attribute says so to yosys, which else builds a bypass of flip-flops around block RAM that has no rule for
-// it; a simulation stops, and one without assertions reads a wrong word.
+// Memory with one read and one write port that infers block RAM: the word at read_addr_i is out one
+// clock after read_en_i and stays until the next read. The address that is being written must not
+// be read: block RAM gives any word then. The attribute says so to yosys, which else builds a
+// bypass of flip-flops around block RAM that has no rule for it; a simulation stops, and one
+// without assertions reads a wrong word.
 module ram_1r1w #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 256

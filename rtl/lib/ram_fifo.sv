@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A FIFO in block RAM for Depth words (a power of two) and one more; first word falls through. Full rate; a word is at
-// the output two clocks after it was taken. ready_o and valid_o come from registers.
+// A FIFO in block RAM for Depth words (a power of two) and one more; first word falls through. Full
+// rate; a word is at the output two clocks after it was taken. ready_o and valid_o come from
+// registers.
 module ram_fifo #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 256
@@ -31,7 +32,8 @@ module ram_fifo #(
 
   // The RAM's own output register is the place of the first word.
   assign fetch = head_q != tail_q && (!valid_q || ready_i);
-  assign fills = head_q[Bits-1:0] + 1'b1 == tail_q[Bits-1:0];  // the next word taken is the last that fits
+  // The next word taken is the last that fits.
+  assign fills = head_q[Bits-1:0] + 1'b1 == tail_q[Bits-1:0];
 
   ram_1r1w #(
     .Width(Width),

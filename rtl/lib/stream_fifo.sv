@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A FIFO of Depth words (a power of two, at least 2), first word falls through. No path from ready_i to
-// ready_o or from valid_i to valid_o; a word is at the output one clock after it was taken.
+// A FIFO of Depth words (a power of two, at least 2), first word falls through. No path from
+// ready_i to ready_o or from valid_i to valid_o; a word is at the output one clock after it was
+// taken.
 module stream_fifo #(
   parameter int unsigned Width = 32,
   parameter int unsigned Depth = 16

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a valid/ready stream: every output, ready_o too, comes from a register. Full rate, one clock of latency.
+// Cuts a valid/ready stream: every output, ready_o too, comes from a register. Full rate, one clock
+// of latency.
 module stream_register #(
   parameter int unsigned Width = 32
 ) (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Board memory: one AXI4 master for the tiles' rows and for copies. A copy never runs while a tile is unfinished.
+// Board memory: one AXI4 master for the tiles' rows and for copies. A copy never runs while a tile
+// is unfinished.
 module memory #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1

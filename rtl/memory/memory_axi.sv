@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The AXI4 master: hands its five channels to the copy while one is under way, else to the tiles, and remembers errors.
-// The two never overlap, so there is nothing to arbitrate. All responses are taken at once but the words a copy reads.
+// The AXI4 master: hands its five channels to the copy while one is under way, else to the tiles,
+// and remembers errors. The two never overlap, so there is nothing to arbitrate. All responses are
+// taken at once but the words a copy reads.
 module memory_axi #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -107,7 +108,8 @@ module memory_axi #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) error_q <= 1'b0;
     else if (memory_error_clear_i) error_q <= 1'b0;
-    else if ((axi_bvalid_i && axi_bresp_i != Okay) || (axi_rvalid_i && axi_rresp_i != Okay)) error_q <= 1'b1;
+    else if ((axi_bvalid_i && axi_bresp_i != Okay) ||
+             (axi_rvalid_i && axi_rresp_i != Okay)) error_q <= 1'b1;
   end
 
 `ifndef SYNTHESIS
@@ -121,8 +123,10 @@ module memory_axi #(
 
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      copy_alone: assert (!copy_busy_i || (!load_valid_i && !store_valid_i && !store_data_valid_i && rows_q == '0));
-      tiles_alone: assert (copy_busy_i || (!copy_write_valid_i && !copy_read_valid_i && !copy_write_data_valid_i));
+      copy_alone: assert (!copy_busy_i || (!load_valid_i && !store_valid_i &&
+                                           !store_data_valid_i && rows_q == '0));
+      tiles_alone: assert (copy_busy_i || (!copy_write_valid_i && !copy_read_valid_i &&
+                                           !copy_write_data_valid_i));
       answers_expected: assert (copy_busy_i || rows_q != '0 || !axi_bvalid_i);
     end
   end

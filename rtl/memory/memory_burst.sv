@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cuts a range of beats into bursts of at most sixteen that end on a multiple of sixteen beats, at most 512 bytes: so
-// none crosses a 4 KiB border. Begins anew whenever start_i gives a range; the first burst is out a clock later.
+// Cuts a range of beats into bursts of at most sixteen that end on a multiple of sixteen beats, at
+// most 512 bytes: so none crosses a 4 KiB border. Begins anew whenever start_i gives a range; the
+// first burst is out a clock later.
 module memory_burst #(
   parameter int unsigned BeatBits = 30
 ) (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// WRITE_MEMORY and READ_MEMORY, one at a time: bursts of up to sixteen beats for either, words to beats in
-// memory_copy_write, beats to words in memory_copy_read.
+// WRITE_MEMORY and READ_MEMORY, one at a time: bursts of up to sixteen beats for either, words to
+// beats in memory_copy_write, beats to words in memory_copy_read.
 module memory_copy #(
   parameter int unsigned PixelsPerClock = 1,
   localparam int unsigned Width = 32 * PixelsPerClock
@@ -55,7 +55,7 @@ module memory_copy #(
 
   logic burst_valid, burst_ready;
   logic [BeatBits-1:0] burst_beat;
-  logic signed [2:0] ahead_q;      // bursts whose address was taken, less those whose data were; -1 too
+  logic signed [2:0] ahead_q;      // bursts whose address was taken, less those whose data were
   logic [12:0] unacknowledged_q;   // bursts whose address was taken
   logic write_address_taken, write_burst_taken, write_addressed;
   logic write_busy, read_busy;
@@ -116,21 +116,21 @@ module memory_copy #(
   memory_copy_write #(
     .PixelsPerClock(PixelsPerClock)
   ) u_write (
-    .clk_i       (clk_i),
-    .rst_ni      (rst_ni),
-    .start_i     (state_q == Start && op_q.write),
-    .word_i      (op_q.address[8:2]),
-    .words_i     (op_q.words),
-    .busy_o      (write_busy),
-    .valid_i     (copy_data_valid_i),
-    .ready_o     (copy_data_ready_o),
-    .data_i      (copy_data_i),
-    .addressed_i (write_addressed),
-    .valid_o     (write_data_valid_o),
-    .ready_i     (write_data_ready_i),
-    .data_o      (write_data_o),
-    .strobe_o    (write_strobe_o),
-    .last_o      (write_last_o)
+    .clk_i      (clk_i),
+    .rst_ni     (rst_ni),
+    .start_i    (state_q == Start && op_q.write),
+    .word_i     (op_q.address[8:2]),
+    .words_i    (op_q.words),
+    .busy_o     (write_busy),
+    .valid_i    (copy_data_valid_i),
+    .ready_o    (copy_data_ready_o),
+    .data_i     (copy_data_i),
+    .addressed_i(write_addressed),
+    .valid_o    (write_data_valid_o),
+    .ready_i    (write_data_ready_i),
+    .data_o     (write_data_o),
+    .strobe_o   (write_strobe_o),
+    .last_o     (write_last_o)
   );
 
   memory_copy_read #(

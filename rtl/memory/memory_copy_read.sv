@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives the words of a read on: a beat each time, count_o words of it from the lowest. Only the first beat may begin
-// with words that were not asked for; it is shifted down, a word a clock.
+// Gives the words of a read on: a beat each time, count_o words of it from the lowest. Only the
+// first beat may begin with words that were not asked for; it is shifted down, a word a clock.
 module memory_copy_read #(
   parameter int unsigned PixelsPerClock = 1,
   localparam int unsigned Width = 32 * PixelsPerClock

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gathers the words of a write into beats of K words with strobes: a word a clock. The last beat of a burst is the one
-// that ends a block of sixteen, as memory_burst cuts them, or the last of the write.
+// Gathers the words of a write into beats of K words with strobes: a word a clock. The last beat of
+// a burst is the one that ends a block of sixteen, as memory_burst cuts them, or the last of the
+// write.
 module memory_copy_write #(
   parameter int unsigned PixelsPerClock = 1,
   localparam int unsigned Width = 32 * PixelsPerClock

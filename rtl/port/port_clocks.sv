@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the clocks of all jobs since the reset went: the sums of what the core counted for each. The upper half of the
-// clocks follows a clock later.
+// Where the clocks of all jobs since the reset went: the sums of what the core counted for each.
+// The upper half of the clocks follows a clock later.
 module port_clocks (
   input  logic                      clk_i,
   input  logic                      core_rst_ni,

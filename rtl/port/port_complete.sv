@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of a job, step by step: the core's status, the last response words, their acknowledgement, the completion
-// record, its acknowledgement. Then, in one clock, done_o: whoever sees an effect of that finds all in host memory.
+// The end of a job, step by step: the core's status, the last response words, their
+// acknowledgement, the completion record, its acknowledgement. Then, in one clock, done_o: whoever
+// sees an effect of that finds all in host memory.
 module port_complete #(
   parameter int unsigned StreamBits = 32
 ) (

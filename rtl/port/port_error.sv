@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happens when the host refuses an access. Refused for the current job, it stops the port at once; refused while
-// the next job is read ahead, it waits until that job's turn, so that the current one ends well. When nothing is under
-// way at the host any more it is told, once; only reset ends it.
+// What happens when the host refuses an access. Refused for the current job, it stops the port at
+// once; refused while the next job is read ahead, it waits until that job's turn, so that the
+// current one ends well. When nothing is under way at the host any more it is told, once; only
+// reset ends it.
 module port_error (
   input  logic        clk_i,
   input  logic        rst_ni,
@@ -45,7 +46,8 @@ module port_error (
   // The first, but the current job's goes before what was read ahead.
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) address_q <= '0;
-    else if ((for_current && !stop_o) || ((ahead_i || list_i) && !failed_o && !stop_o)) address_q <= address_i;
+    else if ((for_current && !stop_o) || ((ahead_i || list_i) && !failed_o && !stop_o))
+      address_q <= address_i;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

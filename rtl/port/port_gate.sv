@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// An AXI4 master behind this gate can be reset at any clock, and the other side does not notice. Told to stop, the gate
-// takes nothing more of the master and brings to its end what is under way: addresses it has taken are given, missing
-// data are made up with no byte enabled, answers are taken and dropped. From stopped_o on the master may be reset; the
-// gate is opened again by taking stop_i back when idle_o says that nothing is under way.
-// Addresses go through in a clock. Data wait until their address is out, not until it is taken, and WLAST is made from
-// its length.
+// An AXI4 master behind this gate can be reset at any clock, and the other side does not notice.
+// Told to stop, the gate takes nothing more of the master and brings to its end what is under way:
+// addresses it has taken are given, missing data are made up with no byte enabled, answers are
+// taken and dropped. From stopped_o on the master may be reset; the gate is opened again by taking
+// stop_i back when idle_o says that nothing is under way. Addresses go through in a clock. Data
+// wait until their address is out, not until it is taken, and WLAST is made from its length.
 module port_gate #(
   parameter int unsigned AddressBits = 32,
   parameter int unsigned DataBits = 32
@@ -83,7 +83,8 @@ module port_gate #(
   assign stopped_o = closed_q;
   assign idle_o = writes_q == '0 && reads_q == '0;
 
-  assign master_awready_o = !stop_i && length_ready && writes_q != '1 && (!address_valid_q || axi_awready_i);
+  assign master_awready_o = !stop_i && length_ready && writes_q != '1 &&
+                            (!address_valid_q || axi_awready_i);
   assign write_take = master_awvalid_i && master_awready_o;
   assign axi_awvalid_o = address_valid_q;
   assign axi_awaddr_o = address_q;
@@ -93,18 +94,32 @@ module port_gate #(
   assign master_arready_o = read_open && read_ready;
   assign read_take = master_arvalid_i && master_arready_o;
 
-  stream_register #(.Width(AddressBits + 8)) u_read_address (
-    .clk_i, .rst_ni,
-    .valid_i(master_arvalid_i && read_open), .ready_o(read_ready),
-    .data_i({master_arlen_i, master_araddr_i}),
-    .valid_o(axi_arvalid_o), .ready_i(axi_arready_i), .data_o({axi_arlen_o, axi_araddr_o})
+  stream_register #(
+    .Width(AddressBits + 8)
+  ) u_read_address (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(master_arvalid_i && read_open),
+    .ready_o(read_ready),
+    .data_i ({master_arlen_i, master_araddr_i}),
+    .valid_o(axi_arvalid_o),
+    .ready_i(axi_arready_i),
+    .data_o ({axi_arlen_o, axi_araddr_o})
   );
 
   // Bursts whose data are still to come.
-  stream_fifo #(.Width(8), .Depth(LengthsDepth)) u_lengths (
-    .clk_i, .rst_ni,
-    .valid_i(write_take), .ready_o(length_ready), .data_i(master_awlen_i),
-    .valid_o(length_valid), .ready_i(burst_take), .data_o(length)
+  stream_fifo #(
+    .Width(8),
+    .Depth(LengthsDepth)
+  ) u_lengths (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(write_take),
+    .ready_o(length_ready),
+    .data_i (master_awlen_i),
+    .valid_o(length_valid),
+    .ready_i(burst_take),
+    .data_o (length)
   );
 
   assign axi_wvalid_o = length_valid && (closed_q || master_wvalid_i);
@@ -145,7 +160,8 @@ module port_gate #(
       closed_q <= stop_i && (closed_q || !axi_wvalid_o || axi_wready_i);
       if (beat_take) beat_q <= axi_wlast_o ? '0 : beat_q + 1'b1;
       writes_q <= writes_q + CountBits'(write_take) - CountBits'(axi_bvalid_i && axi_bready_o);
-      reads_q <= reads_q + CountBits'(read_take) - CountBits'(axi_rvalid_i && axi_rready_o && axi_rlast_i);
+      reads_q <= reads_q + CountBits'(read_take)
+          - CountBits'(axi_rvalid_i && axi_rready_o && axi_rlast_i);
     end
   end
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's read channels shared by those who read, the first of them first. They take their beats at once, so that
-// nobody waits behind another; who a burst is for, and its address, is remembered until its last beat. While an address
-// waits it may give way to one of an earlier reader, or be taken back: AXI does not allow that, so a register that takes
-// addresses has to follow, as in port_gate.
+// The host's read channels shared by those who read, the first of them first. They take their beats
+// at once, so that nobody waits behind another; who a burst is for, and its address, is remembered
+// until its last beat. While an address waits it may give way to one of an earlier reader, or be
+// taken back: AXI does not allow that, so a register that takes addresses has to follow, as in
+// port_gate.
 module port_host_read #(
   parameter int unsigned StreamBits = 32,
   parameter int unsigned Readers = 2,
@@ -63,10 +64,18 @@ module port_host_read #(
   assign arvalid_o = valid_i != '0 && order_ready;
   assign take = arvalid_o && arready_i;
 
-  stream_fifo #(.Width(64 + IndexBits), .Depth(Outstanding)) u_order (
-    .clk_i, .rst_ni,
-    .valid_i(take), .ready_o(order_ready), .data_i({reader, araddr_o}),
-    .valid_o(order_valid), .ready_i(beat && rlast_i), .data_o({owner, error_address_o})
+  stream_fifo #(
+    .Width(64 + IndexBits),
+    .Depth(Outstanding)
+  ) u_order (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(take),
+    .ready_o(order_ready),
+    .data_i ({reader, araddr_o}),
+    .valid_o(order_valid),
+    .ready_i(beat && rlast_i),
+    .data_o ({owner, error_address_o})
   );
 
   assign rready_o = order_valid;

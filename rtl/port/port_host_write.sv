@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's write channels: response bursts, and the completion when they are all acknowledged. The addresses of
-// bursts under way are remembered for the one that is refused.
+// The host's write channels: response bursts, and the completion when they are all acknowledged.
+// The addresses of bursts under way are remembered for the one that is refused.
 module port_host_write #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -65,10 +65,18 @@ module port_host_write #(
   assign wdata_o = completion_i ? completion_data_i : response_data_i;
   assign wstrb_o = completion_i ? '1 : response_strobe_i;
 
-  stream_fifo #(.Width(60), .Depth(Outstanding)) u_order (
-    .clk_i, .rst_ni,
-    .valid_i(awvalid_o && awready_i), .ready_o(order_ready), .data_i(awaddr_o[63:4]),
-    .valid_o(order_valid), .ready_i(bvalid_i), .data_o(error_address_o[63:4])
+  stream_fifo #(
+    .Width(60),
+    .Depth(Outstanding)
+  ) u_order (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(awvalid_o && awready_i),
+    .ready_o(order_ready),
+    .data_i (awaddr_o[63:4]),
+    .valid_o(order_valid),
+    .ready_i(bvalid_i),
+    .data_o (error_address_o[63:4])
   );
   assign error_address_o[3:0] = '0;
   assign pending_o = order_valid;

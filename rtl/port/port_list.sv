@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a list of pages in host memory, entry by entry, up to two ahead of who takes them: a page lasts longer than a
-// read takes, so that one entry at a time is enough. Addresses are multiples of a beat, which may have two entries.
+// Reads a list of pages in host memory, entry by entry, up to two ahead of who takes them: a page
+// lasts longer than a read takes, so that one entry at a time is enough. Addresses are multiples of
+// a beat, which may have two entries.
 module port_list #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -58,10 +59,18 @@ module port_list #(
     always_ff @(posedge clk_i) if (beat_valid_i && !beat_last_i) low_q <= beat_data_i[31:12];
   end
 
-  stream_fifo #(.Width(52), .Depth(2)) u_pages (
-    .clk_i, .rst_ni,
-    .valid_i(beat_valid_i && beat_last_i), .ready_o(room), .data_i(entry),
-    .valid_o(pages_valid), .ready_i(page_ready_i || stop_i), .data_o(page_o)
+  stream_fifo #(
+    .Width(52),
+    .Depth(2)
+  ) u_pages (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(beat_valid_i && beat_last_i),
+    .ready_o(room),
+    .data_i (entry),
+    .valid_o(pages_valid),
+    .ready_i(page_ready_i || stop_i),
+    .data_o (page_o)
   );
   assign page_valid_o = pages_valid && !stop_i;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Response words, up to K at a time, one after the other into beats of the host's width: a beat a clock. When flush_i
-// says that all has come, what is left goes into a last beat.
+// Response words, up to K at a time, one after the other into beats of the host's width: a beat a
+// clock. When flush_i says that all has come, what is left goes into a last beat.
 module port_pack #(
   parameter int unsigned PixelsPerClock = 1,
   parameter int unsigned StreamBits = 32

@@ -6,15 +6,17 @@
 //                  |---> list -> write <----------- core's response
 //   registers <- complete <------------------------ core's status
 //
-// While a job runs, the next one's descriptor, slot table and first pages of the stream's list are read ahead; the
-// response's list is read when the core answers. Reads of all share one channel (host_read), writes the other
-// (host_write); between them and the host stands a gate, so that everything behind it can be reset at any time. The
-// same reset is the core's, and whoever stands before the core's memory stops and lets go as the gate does (memory_*).
+// While a job runs, the next one's descriptor, slot table and first pages of the stream's list are
+// read ahead; the response's list is read when the core answers. Reads of all share one channel
+// (host_read), writes the other (host_write); between them and the host stands a gate, so that
+// everything behind it can be reset at any time. The same reset is the core's, and whoever stands
+// before the core's memory stops and lets go as the gate does (memory_*).
 //
-// At the host: a descriptor is one burst, a slot table four of 64 bytes, a list entry one of 8 bytes, pages are read and
-// written in bursts that end on a multiple of 256 bytes or with the job, a completion is one. INCR, no IDs, answers in
-// order, nothing crosses 4 KiB. Beats are of the full width and addresses multiples of it: an 8-byte entry comes with the
-// one beside it where a beat has both.
+// At the host: a descriptor is one burst, a slot table four of 64 bytes, a list entry one of 8
+// bytes, pages are read and written in bursts that end on a multiple of 256 bytes or with the job,
+// a completion is one. INCR, no IDs, answers in order, nothing crosses 4 KiB. Beats are of the full
+// width and addresses multiples of it: an 8-byte entry comes with the one beside it where a beat
+// has both.
 module port_pci #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -35,7 +37,7 @@ module port_pci #(
   input  logic [31:0]                  reg_wdata_i,
   output logic [31:0]                  reg_rdata_o,
   output logic                         irq_o,         // level
-  output logic                         msi_valid_o,   // an MSI is due, until it is taken; it may be one for several
+  output logic                         msi_valid_o,   // an MSI is due, for one event or several
   input  logic                         msi_ready_i,   // events
 
   // host AXI4 master
@@ -91,7 +93,10 @@ module port_pci #(
 );
 
   core_parameters #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits),
+    .TimeCounters  (TimeCounters)
   ) u_parameters ();
 
   // Who reads, the first first.
@@ -172,195 +177,409 @@ module port_pci #(
   assign idle = ring_quiet && gate_idle && !error_stop;
 
   port_reset u_reset (
-    .clk_i, .rst_ni,
-    .request_i(reset), .busy_o(resetting),
-    .stop_o(reset_stop), .stopped_i(gate_stopped && memory_stopped_i),
-    .idle_i(gate_idle && memory_idle_i), .rst_no(core_rst_n)
+    .clk_i    (clk_i),
+    .rst_ni   (rst_ni),
+    .request_i(reset),
+    .busy_o   (resetting),
+    .stop_o   (reset_stop),
+    .stopped_i(gate_stopped && memory_stopped_i),
+    .idle_i   (gate_idle && memory_idle_i),
+    .rst_no   (core_rst_n)
   );
 
   port_registers #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .TimeCounters(TimeCounters),
-    .RingMaxLog2(gloss_pkg::RingMaxLog2)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .TimeCounters  (TimeCounters),
+    .RingMaxLog2   (gloss_pkg::RingMaxLog2)
   ) u_registers (
-    .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
-    .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
-    .memory_pages_i,
-    .write_o(reg_write), .address_o(reg_address), .own_i(reg_own),
-    .reset_o(reset), .resetting_i(resetting), .enable_i(enable),
-    .running_i(current && !error_stop), .idle_i(idle), .dma_error_i(dma_error), .lost_i(1'b0),
-    .done_i(done), .status_i, .sequence_i(sequence_now), .time_i, .fault_o(fault),
-    .stream_taken_i(stream_taken), .response_taken_i(response_taken),
-    .dma_event_i(dma_event), .dma_sequence_i(dma_sequence)
+    .clk_i           (clk_i),
+    .rst_ni          (rst_ni),
+    .core_rst_ni     (core_rst_n),
+    .reg_valid_i     (reg_valid_i),
+    .reg_ready_o     (reg_ready_o),
+    .reg_write_i     (reg_write_i),
+    .reg_addr_i      (reg_addr_i),
+    .reg_wdata_i     (reg_wdata_i),
+    .reg_rdata_o     (reg_rdata_o),
+    .memory_pages_i  (memory_pages_i),
+    .write_o         (reg_write),
+    .address_o       (reg_address),
+    .own_i           (reg_own),
+    .reset_o         (reset),
+    .resetting_i     (resetting),
+    .enable_i        (enable),
+    .running_i       (current && !error_stop),
+    .idle_i          (idle),
+    .dma_error_i     (dma_error),
+    .lost_i          (1'b0),
+    .done_i          (done),
+    .status_i        (status_i),
+    .sequence_i      (sequence_now),
+    .time_i          (time_i),
+    .fault_o         (fault),
+    .stream_taken_i  (stream_taken),
+    .response_taken_i(response_taken),
+    .dma_event_i     (dma_event),
+    .dma_sequence_i  (dma_sequence)
   );
 
   port_pci_registers u_pci_registers (
-    .clk_i, .core_rst_ni(core_rst_n),
-    .write_i(reg_write), .address_i(reg_address), .wdata_i(reg_wdata_i), .rdata_o(reg_own),
-    .resetting_i(resetting), .irq_o, .msi_valid_o, .msi_ready_i,
-    .enable_o(enable), .ring_o(ring), .ring_log2_o(ring_log2), .tail_o(tail), .head_i(head),
-    .records_o(records), .done_i(done), .fault_i(fault),
-    .dma_error_i(dma_error), .dma_event_i(dma_event), .dma_address_i(dma_address)
+    .clk_i        (clk_i),
+    .core_rst_ni  (core_rst_n),
+    .write_i      (reg_write),
+    .address_i    (reg_address),
+    .wdata_i      (reg_wdata_i),
+    .rdata_o      (reg_own),
+    .resetting_i  (resetting),
+    .irq_o        (irq_o),
+    .msi_valid_o  (msi_valid_o),
+    .msi_ready_i  (msi_ready_i),
+    .enable_o     (enable),
+    .ring_o       (ring),
+    .ring_log2_o  (ring_log2),
+    .tail_o       (tail),
+    .head_i       (head),
+    .records_o    (records),
+    .done_i       (done),
+    .fault_i      (fault),
+    .dma_error_i  (dma_error),
+    .dma_event_i  (dma_event),
+    .dma_address_i(dma_address)
   );
 
-  port_ring #(.StreamBits(StreamBits)) u_ring (
-    .clk_i, .rst_ni(core_rst_n),
-    .enable_i(enable), .ring_i(ring), .ring_log2_i(ring_log2), .tail_i(tail), .head_o(head),
-    .quiet_o(ring_quiet),
-    .read_valid_o(read_valid[Ring]), .read_ready_i(read_ready[Ring]),
+  port_ring #(
+    .StreamBits(StreamBits)
+  ) u_ring (
+    .clk_i         (clk_i),
+    .rst_ni        (core_rst_n),
+    .enable_i      (enable),
+    .ring_i        (ring),
+    .ring_log2_i   (ring_log2),
+    .tail_i        (tail),
+    .head_o        (head),
+    .quiet_o       (ring_quiet),
+    .read_valid_o  (read_valid[Ring]),
+    .read_ready_i  (read_ready[Ring]),
     .read_address_o(read_address[64*Ring+6 +: 58]),
-    .beat_valid_i(beat_valid[Ring]), .beat_last_i(beat_last), .beat_data_i(beat_data),
-    .job_o(job), .failed_i(failed), .known_o(known), .listed_o(listed),
-    .load_o(load), .loaded_i(loaded),
-    .list_o(list_start), .list_idle_i(stream_list_idle), .list_quiet_i(stream_list_quiet),
-    .start_o(start), .copied_i(copied), .job_valid_o, .job_ready_i,
-    .current_o(current), .entry_o(entry), .sequence_o(sequence_now), .done_i(done)
+    .beat_valid_i  (beat_valid[Ring]),
+    .beat_last_i   (beat_last),
+    .beat_data_i   (beat_data),
+    .job_o         (job),
+    .failed_i      (failed),
+    .known_o       (known),
+    .listed_o      (listed),
+    .load_o        (load),
+    .loaded_i      (loaded),
+    .list_o        (list_start),
+    .list_idle_i   (stream_list_idle),
+    .list_quiet_i  (stream_list_quiet),
+    .start_o       (start),
+    .copied_i      (copied),
+    .job_valid_o   (job_valid_o),
+    .job_ready_i   (job_ready_i),
+    .current_o     (current),
+    .entry_o       (entry),
+    .sequence_o    (sequence_now),
+    .done_i        (done)
   );
   assign read_address[64*Ring +: 6] = '0;
   assign read_length[8*Ring +: 8] = DescriptorLength;
 
-  port_slots #(.StreamBits(StreamBits)) u_slots (
-    .clk_i, .rst_ni(core_rst_n),
-    .load_i(load), .table_i({job.slot_table_high, job.slot_table_low[31:6]}), .loaded_o(loaded),
-    .copy_i(start), .copied_o(copied),
-    .read_valid_o(read_valid[SlotTable]), .read_ready_i(read_ready[SlotTable]),
+  port_slots #(
+    .StreamBits(StreamBits)
+  ) u_slots (
+    .clk_i         (clk_i),
+    .rst_ni        (core_rst_n),
+    .load_i        (load),
+    .table_i       ({job.slot_table_high, job.slot_table_low[31:6]}),
+    .loaded_o      (loaded),
+    .copy_i        (start),
+    .copied_o      (copied),
+    .read_valid_o  (read_valid[SlotTable]),
+    .read_ready_i  (read_ready[SlotTable]),
     .read_address_o(read_address[64*SlotTable+6 +: 58]),
-    .beat_valid_i(beat_valid[SlotTable]), .beat_data_i(beat_data),
-    .slot_write_o, .slot_index_o, .slot_base_o, .slot_size_o, .slot_rights_o
+    .beat_valid_i  (beat_valid[SlotTable]),
+    .beat_data_i   (beat_data),
+    .slot_write_o  (slot_write_o),
+    .slot_index_o  (slot_index_o),
+    .slot_base_o   (slot_base_o),
+    .slot_size_o   (slot_size_o),
+    .slot_rights_o (slot_rights_o)
   );
   assign read_address[64*SlotTable +: 6] = '0;
   assign read_length[8*SlotTable +: 8] = SlotsLength;
 
-  port_list #(.StreamBits(StreamBits)) u_stream_list (
-    .clk_i, .rst_ni(core_rst_n),
-    .start_i(list_start), .list_i({job.stream_list_high, job.stream_list_low[31:3]}),
-    .words_i(job.stream_words), .wanted_i(1'b1), .stop_i(1'b0),
-    .idle_o(stream_list_idle), .quiet_o(stream_list_quiet),
+  port_list #(
+    .StreamBits(StreamBits)
+  ) u_stream_list (
+    .clk_i         (clk_i),
+    .rst_ni        (core_rst_n),
+    .start_i       (list_start),
+    .list_i        ({job.stream_list_high, job.stream_list_low[31:3]}),
+    .words_i       (job.stream_words),
+    .wanted_i      (1'b1),
+    .stop_i        (1'b0),
+    .idle_o        (stream_list_idle),
+    .quiet_o       (stream_list_quiet),
     /* verilator lint_off PINCONNECTEMPTY */
-    .empty_o(), // a stream takes all of its pages
+    .empty_o       (), // a stream takes all of its pages
     /* verilator lint_on PINCONNECTEMPTY */
-    .read_valid_o(read_valid[StreamList]), .read_ready_i(read_ready[StreamList]),
+    .read_valid_o  (read_valid[StreamList]),
+    .read_ready_i  (read_ready[StreamList]),
     .read_address_o(read_address[64*StreamList+3 +: 61]),
-    .beat_valid_i(beat_valid[StreamList]), .beat_last_i(beat_last), .beat_data_i(beat_data),
-    .page_valid_o(stream_page_valid), .page_ready_i(stream_page_ready), .page_o(stream_page)
+    .beat_valid_i  (beat_valid[StreamList]),
+    .beat_last_i   (beat_last),
+    .beat_data_i   (beat_data),
+    .page_valid_o  (stream_page_valid),
+    .page_ready_i  (stream_page_ready),
+    .page_o        (stream_page)
   );
   assign read_address[64*StreamList +: 3] = '0;
   assign read_length[8*StreamList +: 8] = EntryLength;
 
-  port_list #(.StreamBits(StreamBits)) u_response_list (
-    .clk_i, .rst_ni(core_rst_n),
-    .start_i(start), .list_i({job.response_list_high, job.response_list_low[31:3]}),
-    .words_i(job.response_words), .wanted_i(response_valid_i || !written),
-    .stop_i(response_list_stop),
+  port_list #(
+    .StreamBits(StreamBits)
+  ) u_response_list (
+    .clk_i         (clk_i),
+    .rst_ni        (core_rst_n),
+    .start_i       (start),
+    .list_i        ({job.response_list_high, job.response_list_low[31:3]}),
+    .words_i       (job.response_words),
+    .wanted_i      (response_valid_i || !written),
+    .stop_i        (response_list_stop),
     /* verilator lint_off PINCONNECTEMPTY */
-    .idle_o(), .quiet_o(), // empty says more, and it is never read ahead
+    .idle_o        (),
+    .quiet_o       (), // empty says more, and it is never read ahead
     /* verilator lint_on PINCONNECTEMPTY */
-    .empty_o(response_list_empty),
-    .read_valid_o(read_valid[ResponseList]), .read_ready_i(read_ready[ResponseList]),
+    .empty_o       (response_list_empty),
+    .read_valid_o  (read_valid[ResponseList]),
+    .read_ready_i  (read_ready[ResponseList]),
     .read_address_o(read_address[64*ResponseList+3 +: 61]),
-    .beat_valid_i(beat_valid[ResponseList]), .beat_last_i(beat_last), .beat_data_i(beat_data),
-    .page_valid_o(response_page_valid), .page_ready_i(response_page_ready), .page_o(response_page)
+    .beat_valid_i  (beat_valid[ResponseList]),
+    .beat_last_i   (beat_last),
+    .beat_data_i   (beat_data),
+    .page_valid_o  (response_page_valid),
+    .page_ready_i  (response_page_ready),
+    .page_o        (response_page)
   );
   assign read_address[64*ResponseList +: 3] = '0;
   assign read_length[8*ResponseList +: 8] = EntryLength;
 
-  port_read #(.StreamBits(StreamBits)) u_read (
-    .clk_i, .rst_ni(core_rst_n),
-    .start_i(start), .words_i(job.stream_words),
-    .page_valid_i(stream_page_valid), .page_ready_o(stream_page_ready), .page_i(stream_page),
-    .read_valid_o(read_valid[Stream]), .read_ready_i(read_ready[Stream]),
-    .read_address_o(read_address[64*Stream+8 +: 56]), .read_length_o(read_length[8*Stream +: 8]),
-    .beat_valid_i(beat_valid[Stream]), .beat_data_i(beat_data),
-    .stream_valid_o, .stream_ready_i, .stream_data_o, .taken_o(stream_taken)
+  port_read #(
+    .StreamBits(StreamBits)
+  ) u_read (
+    .clk_i         (clk_i),
+    .rst_ni        (core_rst_n),
+    .start_i       (start),
+    .words_i       (job.stream_words),
+    .page_valid_i  (stream_page_valid),
+    .page_ready_o  (stream_page_ready),
+    .page_i        (stream_page),
+    .read_valid_o  (read_valid[Stream]),
+    .read_ready_i  (read_ready[Stream]),
+    .read_address_o(read_address[64*Stream+8 +: 56]),
+    .read_length_o (read_length[8*Stream +: 8]),
+    .beat_valid_i  (beat_valid[Stream]),
+    .beat_data_i   (beat_data),
+    .stream_valid_o(stream_valid_o),
+    .stream_ready_i(stream_ready_i),
+    .stream_data_o (stream_data_o),
+    .taken_o       (stream_taken)
   );
   assign read_address[64*Stream +: 8] = '0;
 
-  port_host_read #(.StreamBits(StreamBits), .Readers(Readers)) u_host_read (
-    .clk_i, .rst_ni(core_rst_n),
-    .valid_i(read_valid), .ready_o(read_ready), .address_i(read_address), .length_i(read_length),
-    .beat_valid_o(beat_valid), .beat_last_o(beat_last), .beat_data_o(beat_data),
-    .error_o(read_error), .error_address_o(read_error_address),
-    .arvalid_o(arvalid), .arready_i(arready), .araddr_o(araddr), .arlen_o(arlen),
-    .rvalid_i(rvalid), .rready_o(rready), .rdata_i(rdata), .rlast_i(rlast), .rresp_i(rresp)
+  port_host_read #(
+    .StreamBits(StreamBits),
+    .Readers   (Readers)
+  ) u_host_read (
+    .clk_i          (clk_i),
+    .rst_ni         (core_rst_n),
+    .valid_i        (read_valid),
+    .ready_o        (read_ready),
+    .address_i      (read_address),
+    .length_i       (read_length),
+    .beat_valid_o   (beat_valid),
+    .beat_last_o    (beat_last),
+    .beat_data_o    (beat_data),
+    .error_o        (read_error),
+    .error_address_o(read_error_address),
+    .arvalid_o      (arvalid),
+    .arready_i      (arready),
+    .araddr_o       (araddr),
+    .arlen_o        (arlen),
+    .rvalid_i       (rvalid),
+    .rready_o       (rready),
+    .rdata_i        (rdata),
+    .rlast_i        (rlast),
+    .rresp_i        (rresp)
   );
 
-  port_write #(.PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)) u_write (
-    .clk_i, .rst_ni(core_rst_n),
-    .response_valid_i, .response_ready_o, .response_count_i, .response_data_i,
-    .taken_o(response_taken), .flush_i(flush), .empty_o(written),
-    .page_valid_i(response_page_valid), .page_ready_o(response_page_ready), .page_i(response_page),
-    .address_valid_o(response_address_valid), .address_ready_i(response_address_ready),
-    .address_o(response_address), .length_o(response_length),
-    .data_valid_o(response_data_valid), .data_ready_i(response_data_ready),
-    .data_o(response_data), .strobe_o(response_strobe)
+  port_write #(
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits)
+  ) u_write (
+    .clk_i           (clk_i),
+    .rst_ni          (core_rst_n),
+    .response_valid_i(response_valid_i),
+    .response_ready_o(response_ready_o),
+    .response_count_i(response_count_i),
+    .response_data_i (response_data_i),
+    .taken_o         (response_taken),
+    .flush_i         (flush),
+    .empty_o         (written),
+    .page_valid_i    (response_page_valid),
+    .page_ready_o    (response_page_ready),
+    .page_i          (response_page),
+    .address_valid_o (response_address_valid),
+    .address_ready_i (response_address_ready),
+    .address_o       (response_address),
+    .length_o        (response_length),
+    .data_valid_o    (response_data_valid),
+    .data_ready_i    (response_data_ready),
+    .data_o          (response_data),
+    .strobe_o        (response_strobe)
   );
 
-  port_complete #(.StreamBits(StreamBits)) u_complete (
-    .clk_i, .rst_ni(core_rst_n),
-    .status_valid_i, .status_ready_o, .status_i,
-    .records_i(records), .entry_i(entry), .sequence_i(sequence_now),
-    .done_o(done), .stop_i(error_stop),
-    .flush_o(flush), .written_i(written),
-    .list_stop_o(response_list_stop), .list_empty_i(response_list_empty),
-    .pending_i(pending), .completion_o(completion),
-    .address_valid_o(completion_address_valid), .address_ready_i(completion_address_ready),
-    .address_o(completion_address), .length_o(completion_length),
-    .data_valid_o(completion_data_valid), .data_ready_i(completion_data_ready),
-    .data_o(completion_data)
+  port_complete #(
+    .StreamBits(StreamBits)
+  ) u_complete (
+    .clk_i          (clk_i),
+    .rst_ni         (core_rst_n),
+    .status_valid_i (status_valid_i),
+    .status_ready_o (status_ready_o),
+    .status_i       (status_i),
+    .records_i      (records),
+    .entry_i        (entry),
+    .sequence_i     (sequence_now),
+    .done_o         (done),
+    .stop_i         (error_stop),
+    .flush_o        (flush),
+    .written_i      (written),
+    .list_stop_o    (response_list_stop),
+    .list_empty_i   (response_list_empty),
+    .pending_i      (pending),
+    .completion_o   (completion),
+    .address_valid_o(completion_address_valid),
+    .address_ready_i(completion_address_ready),
+    .address_o      (completion_address),
+    .length_o       (completion_length),
+    .data_valid_o   (completion_data_valid),
+    .data_ready_i   (completion_data_ready),
+    .data_o         (completion_data)
   );
 
-  port_host_write #(.StreamBits(StreamBits)) u_host_write (
-    .clk_i, .rst_ni(core_rst_n),
-    .completion_i(completion),
-    .response_address_valid_i(response_address_valid),
-    .response_address_ready_o(response_address_ready),
-    .response_address_i(response_address), .response_length_i(response_length),
-    .response_data_valid_i(response_data_valid), .response_data_ready_o(response_data_ready),
-    .response_data_i(response_data), .response_strobe_i(response_strobe),
+  port_host_write #(
+    .StreamBits(StreamBits)
+  ) u_host_write (
+    .clk_i                     (clk_i),
+    .rst_ni                    (core_rst_n),
+    .completion_i              (completion),
+    .response_address_valid_i  (response_address_valid),
+    .response_address_ready_o  (response_address_ready),
+    .response_address_i        (response_address),
+    .response_length_i         (response_length),
+    .response_data_valid_i     (response_data_valid),
+    .response_data_ready_o     (response_data_ready),
+    .response_data_i           (response_data),
+    .response_strobe_i         (response_strobe),
     .completion_address_valid_i(completion_address_valid),
     .completion_address_ready_o(completion_address_ready),
-    .completion_address_i(completion_address), .completion_length_i(completion_length),
-    .completion_data_valid_i(completion_data_valid), .completion_data_ready_o(completion_data_ready),
-    .completion_data_i(completion_data),
-    .pending_o(pending), .error_o(write_error), .error_address_o(write_error_address),
-    .awvalid_o(awvalid), .awready_i(awready), .awaddr_o(awaddr), .awlen_o(awlen),
-    .wvalid_o(wvalid), .wready_i(wready), .wdata_o(wdata), .wstrb_o(wstrb),
-    .bvalid_i(bvalid), .bready_o(bready), .bresp_i(bresp)
+    .completion_address_i      (completion_address),
+    .completion_length_i       (completion_length),
+    .completion_data_valid_i   (completion_data_valid),
+    .completion_data_ready_o   (completion_data_ready),
+    .completion_data_i         (completion_data),
+    .pending_o                 (pending),
+    .error_o                   (write_error),
+    .error_address_o           (write_error_address),
+    .awvalid_o                 (awvalid),
+    .awready_i                 (awready),
+    .awaddr_o                  (awaddr),
+    .awlen_o                   (awlen),
+    .wvalid_o                  (wvalid),
+    .wready_i                  (wready),
+    .wdata_o                   (wdata),
+    .wstrb_o                   (wstrb),
+    .bvalid_i                  (bvalid),
+    .bready_o                  (bready),
+    .bresp_i                   (bresp)
   );
 
   assign read_ahead_error = read_error[Ring] || read_error[SlotTable];
   assign read_now_error = read_error[ResponseList] || read_error[Stream];
 
   port_error u_error (
-    .clk_i, .rst_ni(core_rst_n),
-    .ahead_i(read_ahead_error), .list_i(read_error[StreamList]),
-    .now_i(read_now_error || write_error),
-    .address_i(write_error ? write_error_address : read_error_address),
-    .current_i(current), .listed_i(listed), .known_i(known),
-    .sequence_i(sequence_now), .next_sequence_i(job.sequence_), .failed_o(failed),
-    .stop_o(error_stop), .idle_i(gate_idle), .told_o(dma_error), .event_o(dma_event),
-    .address_o(dma_address), .sequence_o(dma_sequence)
+    .clk_i          (clk_i),
+    .rst_ni         (core_rst_n),
+    .ahead_i        (read_ahead_error),
+    .list_i         (read_error[StreamList]),
+    .now_i          (read_now_error || write_error),
+    .address_i      (write_error ? write_error_address : read_error_address),
+    .current_i      (current),
+    .listed_i       (listed),
+    .known_i        (known),
+    .sequence_i     (sequence_now),
+    .next_sequence_i(job.sequence_),
+    .failed_o       (failed),
+    .stop_o         (error_stop),
+    .idle_i         (gate_idle),
+    .told_o         (dma_error),
+    .event_o        (dma_event),
+    .address_o      (dma_address),
+    .sequence_o     (dma_sequence)
   );
 
-  port_gate #(.AddressBits(64), .DataBits(StreamBits)) u_gate (
-    .clk_i, .rst_ni,
-    .stop_i(reset_stop || error_stop), .stopped_o(gate_stopped), .idle_o(gate_idle),
-    .master_awvalid_i(awvalid), .master_awready_o(awready), .master_awaddr_i(awaddr),
-    .master_awlen_i(awlen),
-    .master_wvalid_i(wvalid), .master_wready_o(wready), .master_wdata_i(wdata), .master_wstrb_i(wstrb),
-    .master_bvalid_o(bvalid), .master_bready_i(bready), .master_bresp_o(bresp),
-    .master_arvalid_i(arvalid), .master_arready_o(arready), .master_araddr_i(araddr),
-    .master_arlen_i(arlen),
-    .master_rvalid_o(rvalid), .master_rready_i(rready), .master_rdata_o(rdata),
-    .master_rlast_o(rlast), .master_rresp_o(rresp),
-    .axi_awvalid_o(host_awvalid_o), .axi_awready_i(host_awready_i), .axi_awaddr_o(host_awaddr_o),
-    .axi_awlen_o(host_awlen_o),
-    .axi_wvalid_o(host_wvalid_o), .axi_wready_i(host_wready_i), .axi_wdata_o(host_wdata_o),
-    .axi_wstrb_o(host_wstrb_o), .axi_wlast_o(host_wlast_o),
-    .axi_bvalid_i(host_bvalid_i), .axi_bready_o(host_bready_o), .axi_bresp_i(host_bresp_i),
-    .axi_arvalid_o(host_arvalid_o), .axi_arready_i(host_arready_i), .axi_araddr_o(host_araddr_o),
-    .axi_arlen_o(host_arlen_o),
-    .axi_rvalid_i(host_rvalid_i), .axi_rready_o(host_rready_o), .axi_rdata_i(host_rdata_i),
-    .axi_rlast_i(host_rlast_i), .axi_rresp_i(host_rresp_i)
+  port_gate #(
+    .AddressBits(64),
+    .DataBits   (StreamBits)
+  ) u_gate (
+    .clk_i           (clk_i),
+    .rst_ni          (rst_ni),
+    .stop_i          (reset_stop || error_stop),
+    .stopped_o       (gate_stopped),
+    .idle_o          (gate_idle),
+    .master_awvalid_i(awvalid),
+    .master_awready_o(awready),
+    .master_awaddr_i (awaddr),
+    .master_awlen_i  (awlen),
+    .master_wvalid_i (wvalid),
+    .master_wready_o (wready),
+    .master_wdata_i  (wdata),
+    .master_wstrb_i  (wstrb),
+    .master_bvalid_o (bvalid),
+    .master_bready_i (bready),
+    .master_bresp_o  (bresp),
+    .master_arvalid_i(arvalid),
+    .master_arready_o(arready),
+    .master_araddr_i (araddr),
+    .master_arlen_i  (arlen),
+    .master_rvalid_o (rvalid),
+    .master_rready_i (rready),
+    .master_rdata_o  (rdata),
+    .master_rlast_o  (rlast),
+    .master_rresp_o  (rresp),
+    .axi_awvalid_o   (host_awvalid_o),
+    .axi_awready_i   (host_awready_i),
+    .axi_awaddr_o    (host_awaddr_o),
+    .axi_awlen_o     (host_awlen_o),
+    .axi_wvalid_o    (host_wvalid_o),
+    .axi_wready_i    (host_wready_i),
+    .axi_wdata_o     (host_wdata_o),
+    .axi_wstrb_o     (host_wstrb_o),
+    .axi_wlast_o     (host_wlast_o),
+    .axi_bvalid_i    (host_bvalid_i),
+    .axi_bready_o    (host_bready_o),
+    .axi_bresp_i     (host_bresp_i),
+    .axi_arvalid_o   (host_arvalid_o),
+    .axi_arready_i   (host_arready_i),
+    .axi_araddr_o    (host_araddr_o),
+    .axi_arlen_o     (host_arlen_o),
+    .axi_rvalid_i    (host_rvalid_i),
+    .axi_rready_o    (host_rready_o),
+    .axi_rdata_i     (host_rdata_i),
+    .axi_rlast_i     (host_rlast_i),
+    .axi_rresp_i     (host_rresp_i)
   );
 
 endmodule

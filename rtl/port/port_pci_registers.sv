@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers that only a PCI board has: the ring the driver sets up, interrupts, and what the host has refused.
+// The registers that only a PCI board has: the ring the driver sets up, interrupts, and what the
+// host has refused.
 module port_pci_registers (
   input  logic        clk_i,
   input  logic        core_rst_ni,
@@ -86,8 +87,8 @@ module port_pci_registers (
   end
 
   // ---- events ----
-  // A message that waits stands for what happens meanwhile, too. What happens in the clock in which it is taken has
-  // the next one: the driver may be looking at the registers already.
+  // A message that waits stands for what happens meanwhile, too. What happens in the clock in which
+  // it is taken has the next one: the driver may be looking at the registers already.
   assign events = resetting_i ? '0 : {dma_event_i, fault_i, done_i};
   assign cleared = write_i && address_i == gloss_pkg::REG_INTERRUPT_STATUS ? wdata_i[2:0] : '0;
   assign irq_o = (events_q & mask_q) != '0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stream: pages of host memory to beats for the core, in order. Bursts of 256 bytes at most, which never leave a
-// page, are asked for as long as there is room for all of their beats; the room hides a host latency of about
-// (256 beats less one burst). Past the stream's end only the rest of its last beat is read.
+// The stream: pages of host memory to beats for the core, in order. Bursts of 256 bytes at most,
+// which never leave a page, are asked for as long as there is room for all of their beats; the room
+// hides a host latency of about (256 beats less one burst). Past the stream's end only the rest of
+// its last beat is read.
 module port_read #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -60,10 +61,18 @@ module port_read #(
 
   // Every beat that was asked for has its place.
   logic unused;
-  ram_fifo #(.Width(StreamBits), .Depth(Room)) u_beats (
-    .clk_i, .rst_ni,
-    .valid_i(beat_valid_i), .ready_o(unused), .data_i(beat_data_i),
-    .valid_o(stream_valid_o), .ready_i(stream_ready_i), .data_o(stream_data_o)
+  ram_fifo #(
+    .Width(StreamBits),
+    .Depth(Room)
+  ) u_beats (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(beat_valid_i),
+    .ready_o(unused),
+    .data_i (beat_data_i),
+    .valid_o(stream_valid_o),
+    .ready_i(stream_ready_i),
+    .data_o (stream_data_o)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers of gloss.xml that a board has on every bus: what it is, its reset, what has happened. Those of one bus
-// are its port's: it sees every write, and gives what is read at the offsets that are not here. An access takes two
-// clocks; it acts, and its answer is there, in the clock of ready. Registers of the engine are reset with it by
-// core_rst_ni.
+// The registers of gloss.xml that a board has on every bus: what it is, its reset, what has
+// happened. Those of one bus are its port's: it sees every write, and gives what is read at the
+// offsets that are not here. An access takes two clocks; it acts, and its answer is there, in the
+// clock of ready. Registers of the engine are reset with it by core_rst_ni.
 module port_registers #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -125,8 +125,12 @@ module port_registers #(
 
   if (TimeCounters != 0) begin : gen_clocks
     port_clocks u_clocks (
-      .clk_i, .core_rst_ni,
-      .done_i, .time_i, .sums_o(sums), .clocks_high_o(clocks_high)
+      .clk_i        (clk_i),
+      .core_rst_ni  (core_rst_ni),
+      .done_i       (done_i),
+      .time_i       (time_i),
+      .sums_o       (sums),
+      .clocks_high_o(clocks_high)
     );
   end else begin : gen_no_clocks
     logic unused;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// CONTROL.reset: stops both AXI masters, holds the port and the core in reset until nothing of them is under way at the
-// host or in board memory, and lets go. Ends when those two have answered. Power-on comes in through the same door.
-// busy_o stays until rst_no is let go, so that nobody gives to what is still in reset.
+// CONTROL.reset: stops both AXI masters, holds the port and the core in reset until nothing of them
+// is under way at the host or in board memory, and lets go. Ends when those two have answered.
+// Power-on comes in through the same door. busy_o stays until rst_no is let go, so that nobody
+// gives to what is still in reset.
 module port_reset (
   input  logic clk_i,
   input  logic rst_ni,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The job ring: reads the next job's descriptor as soon as TAIL covers it, has its slot table and its stream's list
-// read ahead, and starts it when the job before has ended. A job is current from there until it has ended. What was
-// read ahead is kept while enable is 0, and counts as nothing under way.
+// The job ring: reads the next job's descriptor as soon as TAIL covers it, has its slot table and
+// its stream's list read ahead, and starts it when the job before has ended. A job is current from
+// there until it has ended. What was read ahead is kept while enable is 0, and counts as nothing
+// under way.
 module port_ring #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -31,7 +32,7 @@ module port_ring #(
   // verilator lint_on UNUSEDSIGNAL
   input  logic                         failed_i,       // the host refused some of it
   output logic                         known_o,        // its descriptor is here
-  output logic                         listed_o,       // the stream's list is read for it, not for the current one
+  output logic                         listed_o,       // the stream's list is read for it
   output logic                         load_o,         // its slot table
   input  logic                         loaded_i,
   output logic                         list_o,         // begin the stream's list
@@ -108,7 +109,8 @@ module port_ring #(
       logic [31:0] word_q;
       assign descriptor[32*w +: 32] = word_q;
       always_ff @(posedge clk_i)
-        if (beat_valid_i && beat_q == BeatBits'(w / Lanes)) word_q <= beat_data_i[32*(w%Lanes) +: 32];
+        if (beat_valid_i && beat_q == BeatBits'(w / Lanes))
+          word_q <= beat_data_i[32*(w%Lanes) +: 32];
     end
   end
 

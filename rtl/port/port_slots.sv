@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A job's slot table: read from host memory ahead of the job, in four bursts of 64 bytes, and kept; copied to the core,
-// an entry a clock, when the job before has ended. Nothing of a base's low bits reaches the core: the bursts of its
-// memory port rely on it.
+// A job's slot table: read from host memory ahead of the job, in four bursts of 64 bytes, and kept;
+// copied to the core, an entry a clock, when the job before has ended. Nothing of a base's low bits
+// reaches the core: the bursts of its memory port rely on it.
 module port_slots #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -59,12 +59,17 @@ module port_slots #(
     always_ff @(posedge clk_i) if (beat_valid_i) entry_q <= {beat_data_i, entry_q[127:StreamBits]};
   end
 
-  ram_1r1w #(.Width(54), .Depth(gloss_pkg::Slots)) u_entries (
-    .clk_i,
-    .write_en_i(write_q), .write_addr_i(index_q),
+  ram_1r1w #(
+    .Width(54),
+    .Depth(gloss_pkg::Slots)
+  ) u_entries (
+    .clk_i       (clk_i),
+    .write_en_i  (write_q),
+    .write_addr_i(index_q),
     .write_data_i({entry.rights, entry.size, entry.base[31:12]}),
-    .read_en_i(copy_q), .read_addr_i(copy_index_q),
-    .read_data_o({slot_rights_o, slot_size_o, slot_base_o[31:12]})
+    .read_en_i   (copy_q),
+    .read_addr_i (copy_index_q),
+    .read_data_o ({slot_rights_o, slot_size_o, slot_base_o[31:12]})
   );
   assign slot_base_o[11:0] = '0;
   assign slot_write_o = copied_q;

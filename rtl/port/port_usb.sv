@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The USB port: jobs on one channel of 32-bit words, their answers on another, as gloss.xml describes it, in front of
-// the core.
+// The USB port: jobs on one channel of 32-bit words, their answers on another, as gloss.xml
+// describes it, in front of the core.
 //
 //   OUT -> FIFO -> out ---> core's slot table, job and stream
 //   IN  <--------- in <---- core's response and status
 //   registers, events
 //
-// The next job's words wait in the FIFO while one runs. The bridge on the other side knows nothing of messages: it
-// turns words into transfers and back. in_flush_o with a word tells it to send what it has; what it holds is not the
-// port's. It has its own way to the registers, which does not wait for the channels; gloss.xml says what else it has to
-// do. A USB core that makes FIFOs of its endpoints is one; a FIFO chip that answers control transfers itself is none.
+// The next job's words wait in the FIFO while one runs. The bridge on the other side knows nothing
+// of messages: it turns words into transfers and back. in_flush_o with a word tells it to send what
+// it has; what it holds is not the port's. It has its own way to the registers, which does not wait
+// for the channels; gloss.xml says what else it has to do. A USB core that makes FIFOs of its
+// endpoints is one; a FIFO chip that answers control transfers itself is none.
 //
-// CONTROL.reset resets all but the registers' access, and the core; whoever stands before the core's memory stops and
-// lets go as port_gate does (memory_*). From the clock after it was written until it reads 0 no word passes; one that
-// was offered on IN, or an event, is taken back.
+// CONTROL.reset resets all but the registers' access, and the core; whoever stands before the
+// core's memory stops and lets go as port_gate does (memory_*). From the clock after it was written
+// until it reads 0 no word passes; one that was offered on IN, or an event, is taken back.
 module port_usb #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -76,7 +77,10 @@ module port_usb #(
 );
 
   core_parameters #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits), .TimeCounters(TimeCounters)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits),
+    .TimeCounters  (TimeCounters)
   ) u_parameters ();
 
   localparam int unsigned OutWords = 512;
@@ -107,25 +111,50 @@ module port_usb #(
   assign core_rst_no = core_rst_n;
 
   port_reset u_reset (
-    .clk_i, .rst_ni,
-    .request_i(reset), .busy_o(resetting),
-    .stop_o(memory_stop_o), .stopped_i(memory_stopped_i), .idle_i(memory_idle_i),
-    .rst_no(core_rst_n)
+    .clk_i    (clk_i),
+    .rst_ni   (rst_ni),
+    .request_i(reset),
+    .busy_o   (resetting),
+    .stop_o   (memory_stop_o),
+    .stopped_i(memory_stopped_i),
+    .idle_i   (memory_idle_i),
+    .rst_no   (core_rst_n)
   );
 
   port_registers #(
-    .TileSize(TileSize), .PixelsPerClock(PixelsPerClock), .TimeCounters(TimeCounters)
+    .TileSize      (TileSize),
+    .PixelsPerClock(PixelsPerClock),
+    .TimeCounters  (TimeCounters)
   ) u_registers (
-    .clk_i, .rst_ni, .core_rst_ni(core_rst_n),
-    .reg_valid_i, .reg_ready_o, .reg_write_i, .reg_addr_i, .reg_wdata_i, .reg_rdata_o,
-    .memory_pages_i,
-    .write_o(reg_write), .address_o(reg_address),
-    .own_i(own),
-    .reset_o(reset), .resetting_i(resetting), .enable_i(1'b0),
-    .running_i(running), .idle_i(idle), .dma_error_i(1'b0), .lost_i(lost),
-    .done_i(done), .status_i, .sequence_i(sequence_now), .time_i, .fault_o(fault),
-    .stream_taken_i(stream_taken), .response_taken_i(response_taken),
-    .dma_event_i(1'b0), .dma_sequence_i('0)
+    .clk_i           (clk_i),
+    .rst_ni          (rst_ni),
+    .core_rst_ni     (core_rst_n),
+    .reg_valid_i     (reg_valid_i),
+    .reg_ready_o     (reg_ready_o),
+    .reg_write_i     (reg_write_i),
+    .reg_addr_i      (reg_addr_i),
+    .reg_wdata_i     (reg_wdata_i),
+    .reg_rdata_o     (reg_rdata_o),
+    .memory_pages_i  (memory_pages_i),
+    .write_o         (reg_write),
+    .address_o       (reg_address),
+    .own_i           (own),
+    .reset_o         (reset),
+    .resetting_i     (resetting),
+    .enable_i        (1'b0),
+    .running_i       (running),
+    .idle_i          (idle),
+    .dma_error_i     (1'b0),
+    .lost_i          (lost),
+    .done_i          (done),
+    .status_i        (status_i),
+    .sequence_i      (sequence_now),
+    .time_i          (time_i),
+    .fault_o         (fault),
+    .stream_taken_i  (stream_taken),
+    .response_taken_i(response_taken),
+    .dma_event_i     (1'b0),
+    .dma_sequence_i  ('0)
   );
 
   always_comb begin
@@ -150,36 +179,83 @@ module port_usb #(
   // ---- OUT ----
   assign out_ready_o = fifo_ready && !resetting;
 
-  ram_fifo #(.Width(32), .Depth(OutWords)) u_fifo (
-    .clk_i, .rst_ni(core_rst_n),
-    .valid_i(out_valid_i && !resetting), .ready_o(fifo_ready), .data_i(out_data_i),
-    .valid_o(word_valid), .ready_i(word_ready), .data_o(word)
+  ram_fifo #(
+    .Width(32),
+    .Depth(OutWords)
+  ) u_fifo (
+    .clk_i  (clk_i),
+    .rst_ni (core_rst_n),
+    .valid_i(out_valid_i && !resetting),
+    .ready_o(fifo_ready),
+    .data_i (out_data_i),
+    .valid_o(word_valid),
+    .ready_i(word_ready),
+    .data_o (word)
   );
 
-  port_usb_out #(.StreamBits(StreamBits)) u_out (
-    .clk_i, .rst_ni(core_rst_n),
-    .word_valid_i(word_valid), .word_ready_o(word_ready), .word_i(word),
-    .nonce_i(nonce_q), .idle_o(idle), .running_o(running),
-    .lost_o(lost), .lost_event_o(lost_event), .taken_o(stream_taken),
-    .echo_o(echo), .sync_o(sync), .echoed_i(echoed),
-    .sequence_o(sequence_now), .checked_o(checked), .completed_i(completed),
-    .slot_write_o, .slot_index_o, .slot_base_o, .slot_size_o, .slot_rights_o,
-    .job_valid_o, .job_ready_i, .job_ended_i(status_valid_i), .job_stream_words_o, .job_response_words_o,
-    .stream_valid_o, .stream_ready_i, .stream_data_o
+  port_usb_out #(
+    .StreamBits(StreamBits)
+  ) u_out (
+    .clk_i               (clk_i),
+    .rst_ni              (core_rst_n),
+    .word_valid_i        (word_valid),
+    .word_ready_o        (word_ready),
+    .word_i              (word),
+    .nonce_i             (nonce_q),
+    .idle_o              (idle),
+    .running_o           (running),
+    .lost_o              (lost),
+    .lost_event_o        (lost_event),
+    .taken_o             (stream_taken),
+    .echo_o              (echo),
+    .sync_o              (sync),
+    .echoed_i            (echoed),
+    .sequence_o          (sequence_now),
+    .checked_o           (checked),
+    .completed_i         (completed),
+    .slot_write_o        (slot_write_o),
+    .slot_index_o        (slot_index_o),
+    .slot_base_o         (slot_base_o),
+    .slot_size_o         (slot_size_o),
+    .slot_rights_o       (slot_rights_o),
+    .job_valid_o         (job_valid_o),
+    .job_ready_i         (job_ready_i),
+    .job_ended_i         (status_valid_i),
+    .job_stream_words_o  (job_stream_words_o),
+    .job_response_words_o(job_response_words_o),
+    .stream_valid_o      (stream_valid_o),
+    .stream_ready_i      (stream_ready_i),
+    .stream_data_o       (stream_data_o)
   );
 
   // ---- IN ----
   assign in_valid_o = in_valid && !resetting;
 
-  port_usb_in #(.PixelsPerClock(PixelsPerClock)) u_in (
-    .clk_i, .rst_ni(core_rst_n),
-    .echo_i(echo), .sync_i(sync), .echoed_o(echoed),
-    .sequence_i(sequence_now), .running_i(running), .checked_i(checked), .completed_o(completed),
-    .response_valid_i, .response_ready_o, .response_count_i, .response_data_i,
-    .status_valid_i, .status_ready_o, .status_i,
-    .taken_o(response_taken), .done_o(done),
-    .word_valid_o(in_valid), .word_ready_i(in_ready_i && !resetting),
-    .word_o(in_data_o), .word_flush_o(in_flush_o)
+  port_usb_in #(
+    .PixelsPerClock(PixelsPerClock)
+  ) u_in (
+    .clk_i           (clk_i),
+    .rst_ni          (core_rst_n),
+    .echo_i          (echo),
+    .sync_i          (sync),
+    .echoed_o        (echoed),
+    .sequence_i      (sequence_now),
+    .running_i       (running),
+    .checked_i       (checked),
+    .completed_o     (completed),
+    .response_valid_i(response_valid_i),
+    .response_ready_o(response_ready_o),
+    .response_count_i(response_count_i),
+    .response_data_i (response_data_i),
+    .status_valid_i  (status_valid_i),
+    .status_ready_o  (status_ready_o),
+    .status_i        (status_i),
+    .taken_o         (response_taken),
+    .done_o          (done),
+    .word_valid_o    (in_valid),
+    .word_ready_i    (in_ready_i && !resetting),
+    .word_o          (in_data_o),
+    .word_flush_o    (in_flush_o)
   );
 
   // ---- events ----
@@ -187,12 +263,18 @@ module port_usb #(
   assign event_o = {event_sequence, 16'(gloss_pkg::UsbEventMagic), 11'd0, event_lost, event_cause};
 
   logic unused; // one that does not fit is dropped
-  stream_fifo #(.Width(37), .Depth(Events)) u_events (
-    .clk_i, .rst_ni(core_rst_n),
-    .valid_i(fault || lost_event), .ready_o(unused),
-    .data_i(fault ? {1'b0, status_i.cause, sequence_now} : {1'b1, 4'd0, 32'd0}),
-    .valid_o(event_valid), .ready_i(event_ready_i && !resetting),
-    .data_o({event_lost, event_cause, event_sequence})
+  stream_fifo #(
+    .Width(37),
+    .Depth(Events)
+  ) u_events (
+    .clk_i  (clk_i),
+    .rst_ni (core_rst_n),
+    .valid_i(fault || lost_event),
+    .ready_o(unused),
+    .data_i (fault ? {1'b0, status_i.cause, sequence_now} : {1'b1, 4'd0, 32'd0}),
+    .valid_o(event_valid),
+    .ready_i(event_ready_i && !resetting),
+    .data_o ({event_lost, event_cause, event_sequence})
   );
 
 endmodule

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The IN channel: the echo of a usb_sync; and of each job its response in chunks, then its usb_completion. A chunk goes
-// out when all of its words are here, or all of the job's are. The FIFO has room for two, so that the core goes on
-// while one leaves. The job is counted as soon as the core has ended it and its checksum was right, whether or not
-// anyone takes words; the core gets its next one when its usb_completion is taken. Without the right checksum the job
-// has nothing but full chunks.
+// The IN channel: the echo of a usb_sync; and of each job its response in chunks, then its
+// usb_completion. A chunk goes out when all of its words are here, or all of the job's are. The
+// FIFO has room for two, so that the core goes on while one leaves. The job is counted as soon as
+// the core has ended it and its checksum was right, whether or not anyone takes words; the core
+// gets its next one when its usb_completion is taken. Without the right checksum the job has
+// nothing but full chunks.
 module port_usb_in #(
   parameter int unsigned PixelsPerClock = 1
 ) (
@@ -68,12 +69,21 @@ module port_usb_in #(
   logic ended, ended_q, told_q;
 
   // ---- response ----
-  port_pack #(.PixelsPerClock(PixelsPerClock), .StreamBits(32)) u_pack (
-    .clk_i, .rst_ni,
-    .valid_i(response_valid_i), .ready_o(response_ready_o),
-    .count_i(response_count_i), .data_i(response_data_i),
-    .flush_i(1'b0), .empty_o(pack_empty),
-    .valid_o(packed_valid), .ready_i(packed_ready), .data_o(packed_word),
+  port_pack #(
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (32)
+  ) u_pack (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(response_valid_i),
+    .ready_o(response_ready_o),
+    .count_i(response_count_i),
+    .data_i (response_data_i),
+    .flush_i(1'b0),
+    .empty_o(pack_empty),
+    .valid_o(packed_valid),
+    .ready_i(packed_ready),
+    .data_o (packed_word),
     /* verilator lint_off PINCONNECTEMPTY */
     .words_o() // always one
     /* verilator lint_on PINCONNECTEMPTY */
@@ -81,10 +91,18 @@ module port_usb_in #(
   assign taken_o = response_valid_i && response_ready_o ? response_count_i : '0;
   assign push = packed_valid && packed_ready;
 
-  ram_fifo #(.Width(32), .Depth(Depth)) u_words (
-    .clk_i, .rst_ni,
-    .valid_i(packed_valid), .ready_o(packed_ready), .data_i(packed_word),
-    .valid_o(fifo_valid), .ready_i(fifo_ready), .data_o(fifo_word)
+  ram_fifo #(
+    .Width(32),
+    .Depth(Depth)
+  ) u_words (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(packed_valid),
+    .ready_o(packed_ready),
+    .data_i (packed_word),
+    .valid_o(fifo_valid),
+    .ready_i(fifo_ready),
+    .data_o (fifo_word)
   );
 
   // ---- chunks ----

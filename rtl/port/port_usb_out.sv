@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OUT channel: a usb_sync is looked for, then jobs are taken apart: their slots, those not sent as empty ones, and
-// their stream go to the core, their checksum is compared. A word that no job begins or ends with ends that; what comes
-// behind it is dropped. With a wrong checksum that is when the core has ended the job, whose status it keeps.
+// The OUT channel: a usb_sync is looked for, then jobs are taken apart: their slots, those not sent
+// as empty ones, and their stream go to the core, their checksum is compared. A word that no job
+// begins or ends with ends that; what comes behind it is dropped. With a wrong checksum that is
+// when the core has ended the job, whose status it keeps.
 //
-// A window of the last four words is all there is of a message. A usb_sync is seen in it, an entry of a slot table is
-// written from it, and its newest words are the beat for the core: 32-bit words in, beats of StreamBits out, a word a
-// clock. What a stream's last beat has behind its words is whatever pads it.
+// A window of the last four words is all there is of a message. A usb_sync is seen in it, an entry
+// of a slot table is written from it, and its newest words are the beat for the core: 32-bit words
+// in, beats of StreamBits out, a word a clock. What a stream's last beat has behind its words is
+// whatever pads it.
 module port_usb_out #(
   parameter int unsigned StreamBits = 32
 ) (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The response: words of the core into pages of host memory, in bursts of 256 bytes as soon as one is full; what is
-// left when the job has ended goes out in a shorter one.
+// The response: words of the core into pages of host memory, in bursts of 256 bytes as soon as one
+// is full; what is left when the job has ended goes out in a shorter one.
 module port_write #(
   parameter int unsigned PixelsPerClock = 1,
   parameter int unsigned StreamBits = 32
@@ -54,18 +54,36 @@ module port_write #(
   assign taken_o = response_valid_i && response_ready_o ? response_count_i : '0;
   assign push = packed_valid && packed_ready;
 
-  port_pack #(.PixelsPerClock(PixelsPerClock), .StreamBits(StreamBits)) u_pack (
-    .clk_i, .rst_ni,
-    .valid_i(response_valid_i), .ready_o(response_ready_o),
-    .count_i(response_count_i), .data_i(response_data_i),
-    .flush_i, .empty_o(pack_empty),
-    .valid_o(packed_valid), .ready_i(packed_ready), .data_o(packed_data), .words_o(packed_words)
+  port_pack #(
+    .PixelsPerClock(PixelsPerClock),
+    .StreamBits    (StreamBits)
+  ) u_pack (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(response_valid_i),
+    .ready_o(response_ready_o),
+    .count_i(response_count_i),
+    .data_i (response_data_i),
+    .flush_i(flush_i),
+    .empty_o(pack_empty),
+    .valid_o(packed_valid),
+    .ready_i(packed_ready),
+    .data_o (packed_data),
+    .words_o(packed_words)
   );
 
-  ram_fifo #(.Width(StreamBits), .Depth(2 * BurstBeats)) u_beats (
-    .clk_i, .rst_ni,
-    .valid_i(packed_valid), .ready_o(packed_ready), .data_i(packed_data),
-    .valid_o(beat_valid), .ready_i(data_valid_o && data_ready_i), .data_o
+  ram_fifo #(
+    .Width(StreamBits),
+    .Depth(2 * BurstBeats)
+  ) u_beats (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(packed_valid),
+    .ready_o(packed_ready),
+    .data_i (packed_data),
+    .valid_o(beat_valid),
+    .ready_i(data_valid_o && data_ready_i),
+    .data_o (data_o)
   );
 
   assign burst_full = have_q[BurstBits+1:BurstBits] != '0;

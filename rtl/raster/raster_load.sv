@@ -183,22 +183,22 @@ module raster_load #(
 
   // ---- the parts ----
   raster_load_edges #(
-    .TileSize(TileSize),
+    .TileSize  (TileSize),
     .StreamBits(StreamBits)
-  ) edges (
-    .clk_i(clk_i),
-    .clear_i(take_header),
-    .write_i(take_part[gloss_pkg::PART_EDGES]),
-    .row_i(row_q),
-    .data_i(data_q),
-    .compact_i(compact_q),
-    .left_o(left_o),
-    .right_o(right_o),
-    .middle_o(middle_o),
-    .first_row_o(first_row_o),
-    .last_row_o(last_row_o),
+  ) u_edges (
+    .clk_i       (clk_i),
+    .clear_i     (take_header),
+    .write_i     (take_part[gloss_pkg::PART_EDGES]),
+    .row_i       (row_q),
+    .data_i      (data_q),
+    .compact_i   (compact_q),
+    .left_o      (left_o),
+    .right_o     (right_o),
+    .middle_o    (middle_o),
+    .first_row_o (first_row_o),
+    .last_row_o  (last_row_o),
     .switch_row_o(switch_row_o),
-    .side_o(side_o)
+    .side_o      (side_o)
   );
 
   // left.x to a column of the tile, in units of 8
@@ -211,13 +211,13 @@ module raster_load #(
 
   raster_load_depth #(
     .StreamBits(StreamBits)
-  ) depth (
-    .clk_i(clk_i),
-    .write_i(take_part[gloss_pkg::PART_DEPTH]),
-    .row_i(row_q),
-    .data_i(data_q),
+  ) u_depth (
+    .clk_i    (clk_i),
+    .write_i  (take_part[gloss_pkg::PART_DEPTH]),
+    .row_i    (row_q),
+    .data_i   (data_q),
     .compact_i(compact_q),
-    .depth_o(depth_o)
+    .depth_o  (depth_o)
   );
 
   // A part that is not sent is set at the colour part's first row.
@@ -226,16 +226,16 @@ module raster_load #(
 
   raster_load_alpha #(
     .StreamBits(StreamBits)
-  ) alpha (
-    .clk_i(clk_i),
-    .write_i(take_part[gloss_pkg::PART_ALPHA]),
-    .row_i(row_q),
-    .data_i(data_q),
-    .set_i(set_constant),
+  ) u_alpha (
+    .clk_i     (clk_i),
+    .write_i   (take_part[gloss_pkg::PART_ALPHA]),
+    .row_i     (row_q),
+    .data_i    (data_q),
+    .set_i     (set_constant),
     .constant_i(alpha_constant_q),
-    .alpha_o(alpha_o),
-    .dx_o(alpha_dx_o),
-    .dy_o(alpha_dy_o)
+    .alpha_o   (alpha_o),
+    .dx_o      (alpha_dx_o),
+    .dy_o      (alpha_dy_o)
   );
 
   logic [3*192-1:0] surfaces;
@@ -243,12 +243,12 @@ module raster_load #(
   for (genvar c = 0; c < 3; c++) begin : gen_colour
     raster_load_surface #(
       .StreamBits(StreamBits),
-      .Channel(c)
-    ) colour (
-      .clk_i(clk_i),
-      .write_i(take_part[gloss_pkg::PART_COLOUR]),
-      .row_i(row_q),
-      .data_i(data_q),
+      .Channel   (c)
+    ) u_colour (
+      .clk_i    (clk_i),
+      .write_i  (take_part[gloss_pkg::PART_COLOUR]),
+      .row_i    (row_q),
+      .data_i   (data_q),
       .shading_i(shading_q),
       .surface_o(surfaces[192*c +: 192])
     );
@@ -267,8 +267,10 @@ module raster_load #(
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
       header_a_clock_late: assert (!take_header || !row_take_i);
-      depth_two_clocks_late: assert (!take_part[gloss_pkg::PART_DEPTH] || !(row_take_i || row_taken_q[0]));
-      colour_three_clocks_late: assert (!(take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_ALPHA]) ||
+      depth_two_clocks_late: assert (!take_part[gloss_pkg::PART_DEPTH] ||
+                                     !(row_take_i || row_taken_q[0]));
+      colour_three_clocks_late: assert (
+          !(take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_ALPHA]) ||
           !(row_take_i || row_taken_q != '0));
       alpha_set_once: assert (!(set_constant && take_part[gloss_pkg::PART_ALPHA]));
     end

@@ -229,7 +229,8 @@ module raster_row #(
       gap_before_triangle: assert (!(start && new_q) || (!step_q && recent_q == '0));
       gap_before_end: assert (!end_o || (valid_q[Latency-1] == 1'b0 && late_q == '0));
       state_stays_for_run: assert (!run_first_q || !taken_q);
-      run_in_tile: assert (!start || {1'b0, span_block_i} + {1'b0, span_more_i} < (XBits+1)'(TileSize / PixelsPerClock));
+      run_in_tile: assert (!start || {1'b0, span_block_i} + {1'b0, span_more_i}
+                                     < (XBits+1)'(TileSize / PixelsPerClock));
     end
   end
 `endif

@@ -56,40 +56,40 @@ module raster_shade #(
   logic                    load_idle, walk_idle, row_idle;
 
   raster_load #(
-    .TileSize(TileSize),
+    .TileSize  (TileSize),
     .StreamBits(StreamBits)
-  ) load (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .valid_i(valid_i),
-    .ready_o(ready_o),
-    .op_i(op_i),
-    .data_i(data_i),
-    .bank_i(bank_i),
+  ) u_load (
+    .clk_i       (clk_i),
+    .rst_ni      (rst_ni),
+    .valid_i     (valid_i),
+    .ready_o     (ready_o),
+    .op_i        (op_i),
+    .data_i      (data_i),
+    .bank_i      (bank_i),
     .walk_valid_o(walk_valid),
-    .walk_take_i(walk_take),
-    .left_o(left),
-    .right_o(right),
-    .middle_o(middle),
-    .covering_o(covering),
-    .first_row_o(first_row),
-    .last_row_o(last_row),
+    .walk_take_i (walk_take),
+    .left_o      (left),
+    .right_o     (right),
+    .middle_o    (middle),
+    .covering_o  (covering),
+    .first_row_o (first_row),
+    .last_row_o  (last_row),
     .switch_row_o(switch_row),
-    .side_o(side),
-    .clip_o(clip),
-    .row_valid_o(row_valid),
-    .row_take_i(row_take),
-    .end_o(row_end),
-    .anchor_o(anchor),
-    .state_o(state),
-    .red_o(red),
-    .green_o(green),
-    .blue_o(blue),
-    .alpha_o(alpha),
-    .alpha_dx_o(alpha_dx),
-    .alpha_dy_o(alpha_dy),
-    .depth_o(depth),
-    .idle_o(load_idle)
+    .side_o      (side),
+    .clip_o      (clip),
+    .row_valid_o (row_valid),
+    .row_take_i  (row_take),
+    .end_o       (row_end),
+    .anchor_o    (anchor),
+    .state_o     (state),
+    .red_o       (red),
+    .green_o     (green),
+    .blue_o      (blue),
+    .alpha_o     (alpha),
+    .alpha_dx_o  (alpha_dx),
+    .alpha_dy_o  (alpha_dy),
+    .depth_o     (depth),
+    .idle_o      (load_idle)
   );
 
   assign stall_raster_o = row_valid && !row_take && !row_end;
@@ -101,31 +101,31 @@ module raster_shade #(
   logic [LaneBits-1:0] span_low, span_high;
 
   raster_walk #(
-    .TileSize(TileSize),
+    .TileSize      (TileSize),
     .PixelsPerClock(PixelsPerClock)
-  ) walk (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .valid_i(walk_valid),
-    .take_o(walk_take),
-    .left_i(left),
-    .right_i(right),
-    .middle_i(middle),
-    .covering_i(covering),
-    .first_row_i(first_row),
-    .last_row_i(last_row),
+  ) u_walk (
+    .clk_i       (clk_i),
+    .rst_ni      (rst_ni),
+    .valid_i     (walk_valid),
+    .take_o      (walk_take),
+    .left_i      (left),
+    .right_i     (right),
+    .middle_i    (middle),
+    .covering_i  (covering),
+    .first_row_i (first_row),
+    .last_row_i  (last_row),
     .switch_row_i(switch_row),
-    .side_i(side),
-    .clip_i(clip),
+    .side_i      (side),
+    .clip_i      (clip),
     .span_valid_o(span_valid),
     .span_ready_i(span_ready),
-    .span_last_o(span_last),
+    .span_last_o (span_last),
     .span_empty_o(span_empty),
     .span_block_o(span_block),
-    .span_more_o(span_more),
-    .span_low_o(span_low),
-    .span_high_o(span_high),
-    .idle_o(walk_idle)
+    .span_more_o (span_more),
+    .span_low_o  (span_low),
+    .span_high_o (span_high),
+    .idle_o      (walk_idle)
   );
 
   // ---- blocks ----
@@ -137,35 +137,35 @@ module raster_shade #(
   assign anchor_block = XBits'(anchor_x >> $clog2(PixelsPerClock));
 
   raster_row #(
-    .TileSize(TileSize),
+    .TileSize      (TileSize),
     .PixelsPerClock(PixelsPerClock),
-    .Latency(Latency)
-  ) row (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
-    .valid_i(row_valid),
-    .take_o(row_take),
-    .end_i(row_end),
-    .anchor_i(anchor_block),
-    .first_row_i(first_row),
-    .state_i(state),
-    .span_valid_i(span_valid),
-    .span_ready_o(span_ready),
-    .span_last_i(span_last),
-    .span_empty_i(span_empty),
-    .span_block_i(span_block),
-    .span_more_i(span_more),
-    .span_low_i(span_low),
-    .span_high_i(span_high),
-    .command_o(command),
+    .Latency       (Latency)
+  ) u_row (
+    .clk_i        (clk_i),
+    .rst_ni       (rst_ni),
+    .valid_i      (row_valid),
+    .take_o       (row_take),
+    .end_i        (row_end),
+    .anchor_i     (anchor_block),
+    .first_row_i  (first_row),
+    .state_i      (state),
+    .span_valid_i (span_valid),
+    .span_ready_o (span_ready),
+    .span_last_i  (span_last),
+    .span_empty_i (span_empty),
+    .span_block_i (span_block),
+    .span_more_i  (span_more),
+    .span_low_i   (span_low),
+    .span_high_i  (span_high),
+    .command_o    (command),
     .block_valid_o(block_valid_o),
-    .block_x_o(block_x_o),
-    .block_y_o(block_y_o),
-    .block_mask_o(block_mask_o),
+    .block_x_o    (block_x_o),
+    .block_y_o    (block_y_o),
+    .block_mask_o (block_mask_o),
     .block_state_o(block_state_o),
-    .end_o(end_o),
-    .end_bank_o(end_bank_o),
-    .idle_o(row_idle)
+    .end_o        (end_o),
+    .end_bank_o   (end_bank_o),
+    .idle_o       (row_idle)
   );
 
   // ---- pixels ----
@@ -173,57 +173,57 @@ module raster_shade #(
 
   shade_surface #(
     .PixelsPerClock(PixelsPerClock)
-  ) shade_red (
-    .clk_i(clk_i),
+  ) u_shade_red (
+    .clk_i    (clk_i),
     .command_i(command),
     .surface_i(red),
-    .level_o(red_level)
+    .level_o  (red_level)
   );
 
   shade_surface #(
     .PixelsPerClock(PixelsPerClock)
-  ) shade_green (
-    .clk_i(clk_i),
+  ) u_shade_green (
+    .clk_i    (clk_i),
     .command_i(command),
     .surface_i(green),
-    .level_o(green_level)
+    .level_o  (green_level)
   );
 
   shade_surface #(
     .PixelsPerClock(PixelsPerClock)
-  ) shade_blue (
-    .clk_i(clk_i),
+  ) u_shade_blue (
+    .clk_i    (clk_i),
     .command_i(command),
     .surface_i(blue),
-    .level_o(blue_level)
+    .level_o  (blue_level)
   );
 
   shade_plane #(
     .PixelsPerClock(PixelsPerClock),
-    .Width(32),
-    .Fraction(gloss_pkg::ColourFraction),
-    .LevelBits(8)
-  ) shade_alpha (
-    .clk_i(clk_i),
+    .Width         (32),
+    .Fraction      (gloss_pkg::ColourFraction),
+    .LevelBits     (8)
+  ) u_shade_alpha (
+    .clk_i    (clk_i),
     .command_i(command),
-    .origin_i(alpha),
-    .dx_i(alpha_dx),
-    .dy_i(alpha_dy),
-    .level_o(alpha_level)
+    .origin_i (alpha),
+    .dx_i     (alpha_dx),
+    .dy_i     (alpha_dy),
+    .level_o  (alpha_level)
   );
 
   shade_plane #(
     .PixelsPerClock(PixelsPerClock),
-    .Width(40),
-    .Fraction(gloss_pkg::DepthFraction),
-    .LevelBits(24)
-  ) shade_depth (
-    .clk_i(clk_i),
+    .Width         (40),
+    .Fraction      (gloss_pkg::DepthFraction),
+    .LevelBits     (24)
+  ) u_shade_depth (
+    .clk_i    (clk_i),
     .command_i(command),
-    .origin_i(depth.z),
-    .dx_i(depth.dx),
-    .dy_i(depth.dy),
-    .level_o(block_depth_o)
+    .origin_i (depth.z),
+    .dx_i     (depth.dx),
+    .dy_i     (depth.dy),
+    .level_o  (block_depth_o)
   );
 
   for (genvar l = 0; l < PixelsPerClock; l++) begin : gen_colour

@@ -98,28 +98,28 @@ module raster_walk #(
   logic signed [12:0] left_x, right_x;
   logic               edge_last_q, edge_inside_q;
 
-  raster_edge left_edge (
-    .clk_i(clk_i),
-    .idle_i(!busy_q),
+  raster_edge u_left (
+    .clk_i   (clk_i),
+    .idle_i  (!busy_q),
     .take_r_i(take_o || (step_r && next_switches && !side_q)),
     .step_r_i(step_r),
     .take_x_i(take_o || (step_x && switched_q && !side_q)),
     .step_x_i(step_x),
-    .line_i(left_i),
+    .line_i  (left_i),
     .middle_i(middle_q),
-    .x_o(left_x)
+    .x_o     (left_x)
   );
 
-  raster_edge right_edge (
-    .clk_i(clk_i),
-    .idle_i(!busy_q),
+  raster_edge u_right (
+    .clk_i   (clk_i),
+    .idle_i  (!busy_q),
     .take_r_i(take_o || (step_r && next_switches && side_q)),
     .step_r_i(step_r),
     .take_x_i(take_o || (step_x && switched_q && side_q)),
     .step_x_i(step_x),
-    .line_i(right_i),
+    .line_i  (right_i),
     .middle_i(middle_q),
-    .x_o(right_x)
+    .x_o     (right_x)
   );
 
   // ---- 3rd stage: columns 0 to 127, enough to compare with a scissor ----
@@ -171,21 +171,21 @@ module raster_walk #(
     end
   end
 
-  // A FIFO and not a stream_register: taking a span then moves a pointer and enables no wide register,
-  // which is what raster_row has time for.
+  // A FIFO and not a stream_register: taking a span then moves a pointer and enables no wide
+  // register, which is what raster_row has time for.
   stream_fifo #(
     .Width(2 + 2 * XBits + 2 * LaneBits),
     .Depth(2)
-  ) spans (
-    .clk_i(clk_i),
-    .rst_ni(rst_ni),
+  ) u_spans (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
     .valid_i(clip_valid_q),
     .ready_o(advance),
-    .data_i({clip_last_q, empty, first_block, last_block - first_block,
-             clip_low_q[LaneBits-1:0], last_pixel[LaneBits-1:0]}),
+    .data_i ({clip_last_q, empty, first_block, last_block - first_block, clip_low_q[LaneBits-1:0],
+              last_pixel[LaneBits-1:0]}),
     .valid_o(span_valid_o),
     .ready_i(span_ready_i),
-    .data_o({span_last_o, span_empty_o, span_block_o, span_more_o, span_low_o, span_high_o})
+    .data_o ({span_last_o, span_empty_o, span_block_o, span_more_o, span_low_o, span_high_o})
   );
 
   assign idle_o = !busy_q && !edge_valid_q && !column_valid_q && !clip_valid_q && !span_valid_o;

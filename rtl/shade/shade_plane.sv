@@ -85,13 +85,13 @@ module shade_plane #(
 
   shade_plane_lanes #(
     .PixelsPerClock(PixelsPerClock),
-    .Width(Width),
-    .Fraction(Fraction),
-    .LevelBits(LevelBits)
-  ) lanes (
-    .clk_i(clk_i),
+    .Width         (Width),
+    .Fraction      (Fraction),
+    .LevelBits     (LevelBits)
+  ) u_lanes (
+    .clk_i  (clk_i),
     .value_i(run_value_q),
-    .dx_i(run_dx_q),
+    .dx_i   (run_dx_q),
     .level_o(level_o)
   );
 

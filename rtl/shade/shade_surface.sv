@@ -173,12 +173,12 @@ module shade_surface #(
 
   shade_surface_lanes #(
     .PixelsPerClock(PixelsPerClock)
-  ) lanes (
-    .clk_i(clk_i),
-    .value_i(run_value_q),
+  ) u_lanes (
+    .clk_i   (clk_i),
+    .value_i (run_value_q),
     .across_i(run_across_q),
-    .dxx_i(run_dxx_q),
-    .level_o(level_o)
+    .dxx_i   (run_dxx_q),
+    .level_o (level_o)
   );
 
 endmodule

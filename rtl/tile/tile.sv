@@ -56,7 +56,8 @@ module tile #(
   output logic [3:0]                   response_count_o,
   output logic [32*PixelsPerClock-1:0] response_data_o,
 
-  // to memory: rows of the tile, TileSize / PixelsPerClock beats each; loaded beats are always taken
+  // to memory: rows of the tile, TileSize / PixelsPerClock beats each; loaded beats are always
+  // taken
   output logic                         load_valid_o,
   input  logic                         load_ready_i,
   output logic [31:0]                  load_address_o,
@@ -79,8 +80,9 @@ module tile #(
   localparam int unsigned PitchBits = 16 - UnitBits;
   localparam int unsigned FifoBeats = 128;
 
-  // Block RAM has a ninth bit to each byte on most devices: four to a pixel. Eight are enough, a sweep of the marks
-  // after 255 tiles of a bank is lost among them; with four, one after 15, it still mostly runs behind the storer.
+  // Block RAM has a ninth bit to each byte on most devices: four to a pixel. Eight are enough, a
+  // sweep of the marks after 255 tiles of a bank is lost among them; with four, one after 15, it
+  // still mostly runs behind the storer.
   localparam int unsigned MarkBits = PixelsPerClock == 1 ? 4 : 8;
 
   // tiles by number, modulo 16: begun, ended by command, read by tile_store, done

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// One bank: a tile's colour and depth in block RAM, a row of K pixels to a word, with one read and one write port, and
-// what its readers must know of the tile. A bank goes round between three stages: tile_load prepares it, fragment draws
-// in it (drawn_o), tile_store reads it (stored_o) while tile_load may already write behind it.
+// One bank: a tile's colour and depth in block RAM, a row of K pixels to a word, with one read and
+// one write port, and what its readers must know of the tile. A bank goes round between three
+// stages: tile_load prepares it, fragment draws in it (drawn_o), tile_store reads it (stored_o)
+// while tile_load may already write behind it.
 //
-// Each row of colour and of depth carries the mark it was written with; it belongs to the tile if that is mark_o, else
-// it stands for the clear value. Rows come one clock after the read and stay until the next of that part. A row of a
-// part must not be read in the clock it is written; so tile_store, behind which tile_load writes one part while it reads
-// the other, reads each by itself.
+// Each row of colour and of depth carries the mark it was written with; it belongs to the tile if
+// that is mark_o, else it stands for the clear value. Rows come one clock after the read and stay
+// until the next of that part. A row of a part must not be read in the clock it is written; so
+// tile_store, behind which tile_load writes one part while it reads the other, reads each by
+// itself.
 module tile_buffer #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4,
@@ -23,7 +25,7 @@ module tile_buffer #(
   input  logic [Width-1:0]    load_data_i,
   input  logic [MarkBits-1:0] load_colour_mark_i,
   input  logic [MarkBits-1:0] load_depth_mark_i,
-  input  logic                load_done_i,  // from now on the bank is drawn, with this mark and these clear values
+  input  logic                load_done_i,  // the bank is drawn from now on, with these:
   input  logic [MarkBits-1:0] load_mark_i,
   input  logic [31:0]         load_colour_i,
   input  logic [31:0]         load_depth_i,
@@ -105,7 +107,8 @@ module tile_buffer #(
     if (!rst_ni) begin
       drawn_q <= 1'b0;
       stored_q <= 1'b0;
-      mark_q <= '1;  // the last one: the rows hold anything, so they are swept before the first tile
+      // The last one: the rows hold anything, so they are swept before the first tile.
+      mark_q <= '1;
     end else begin
       if (load_done_i) begin
         drawn_q <= 1'b1;
@@ -125,7 +128,8 @@ module tile_buffer #(
       prepared_when_free: assert (!load_done_i || (!drawn_q && !stored_q));
       loaded_when_not_drawn: assert (!(load_colour_en_i || load_depth_en_i) || !drawn_q);
       drawn_when_prepared: assert (!(draw_read_en_i || draw_write_en_i || draw_done_i) || drawn_q);
-      stored_when_drawn: assert (!(store_colour_en_i || store_depth_en_i || store_done_i) || stored_q);
+      stored_when_drawn: assert (!(store_colour_en_i || store_depth_en_i || store_done_i) ||
+                                 stored_q);
     end
   end
 `endif

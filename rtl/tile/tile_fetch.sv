@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks memory for the rows of tiles that are loaded, colour before depth, as soon as nothing earlier can still write to
-// them. It asks for no more than there is room for in tile_load's FIFO, so that loaded beats never wait for a bank:
-// memory may stop writes while reads wait, and the bank could be waiting for its writes.
+// Asks memory for the rows of tiles that are loaded, colour before depth, as soon as nothing
+// earlier can still write to them. It asks for no more than there is room for in tile_load's FIFO,
+// so that loaded beats never wait for a bank: memory may stop writes while reads wait, and the bank
+// could be waiting for its writes.
 module tile_fetch #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds what command wants drawn until a bank is ready for it. RENDER_BEGIN ends here: it waits for the bank of its tile
-// (banks take turns) and lets the ops after it through, marked with that bank. Combinational from command to raster.
+// Holds what command wants drawn until a bank is ready for it. RENDER_BEGIN ends here: it waits for
+// the bank of its tile (banks take turns) and lets the ops after it through, marked with that bank.
+// Combinational from command to raster.
 module tile_gate #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -32,7 +33,8 @@ module tile_gate #(
   assign open = begins && ready_q != '0;
   assign stall_o = begins && ready_q == '0;
 
-  assign render_ready_o = render_op_i.kind == gloss_pkg::RENDER_BEGIN ? ready_q != '0 : raster_ready_i;
+  assign render_ready_o = render_op_i.kind == gloss_pkg::RENDER_BEGIN ? ready_q != '0
+                                                                      : raster_ready_i;
   assign raster_valid_o = render_valid_i && !begins;
   assign raster_op_o = render_op_i;
   assign raster_data_o = render_data_i;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out which tiles before a new one have to be done before its loads may read memory: those that store to rows it
-// loads. Takes a begin, looks at every load of it against every store of the tiles that are not done, and gives the
-// begin on with the tile that has to be waited for. This runs while tiles before are loaded and drawn.
+// Finds out which tiles before a new one have to be done before its loads may read memory: those
+// that store to rows it loads. Takes a begin, looks at every load of it against every store of the
+// tiles that are not done, and gives the begin on with the tile that has to be waited for. This
+// runs while tiles before are loaded and drawn.
 //
-// Two tiles' rows start at a + i * p and b + j * q, i and j from 0 to TileSize - 1, all in units of a row's length. Let
-// a be the lower one: subtracting p from b - a again and again meets 0 within TileSize steps if and only if a row
-// starts in the same place, for p = q. With different pitches the ranges must not overlap, which is to wait too often:
-// they overlap if the difference passes zero within these steps.
+// Two tiles' rows start at a + i * p and b + j * q, i and j from 0 to TileSize - 1, all in units of
+// a row's length. Let a be the lower one: subtracting p from b - a again and again meets 0 within
+// TileSize steps if and only if a row starts in the same place, for p = q. With different pitches
+// the ranges must not overlap, which is to wait too often: they overlap if the difference passes
+// zero within these steps.
 module tile_hazard #(
   parameter int unsigned TileSize = 64,
   localparam int unsigned UnitBits = $clog2(4 * TileSize),
@@ -138,7 +140,8 @@ module tile_hazard #(
         store_depth_q <= 1'b0;
         load_depth_q <= 1'b0;
       end else begin
-        if (next_pair) {tile_q, store_depth_q, load_depth_q} <= {tile_q, store_depth_q, load_depth_q} + 1'b1;
+        if (next_pair)
+          {tile_q, store_depth_q, load_depth_q} <= {tile_q, store_depth_q, load_depth_q} + 1'b1;
         if (conflict) after_q <= tile_q + 1'b1;
       end
     end

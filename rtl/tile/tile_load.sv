@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prepares a bank for the next tile: writes loaded rows, as soon as tile_store has read what was there, sweeps the marks
-// when they have run out, and hands the bank to fragment. Banks take turns.
+// Prepares a bank for the next tile: writes loaded rows, as soon as tile_store has read what was
+// there, sweeps the marks when they have run out, and hands the bank to fragment. Banks take turns.
 //
-// The tiles of a bank are marked 1, 2, ...; after the last mark all rows are given mark 0, which no tile has, and the
-// next tile has mark 1 again. That is done beside a load, or else as soon as the bank is free: mostly no tile waits for it.
+// The tiles of a bank are marked 1, 2, ...; after the last mark all rows are given mark 0, which no
+// tile has, and the next tile has mark 1 again. That is done beside a load, or else as soon as the
+// bank is free: mostly no tile waits for it.
 module tile_load #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4,
@@ -43,8 +44,8 @@ module tile_load #(
   output logic [31:0]         colour_o,
   output logic [31:0]         depth_o,
 
-  // from tile_store: it is at the tile in store_bank_i; a part of which it reads rows, those below store_row_i are
-  // read; a part that is gone is read wholly or not wanted
+  // from tile_store: it is at the tile in store_bank_i; a part of which it reads rows, those below
+  // store_row_i are read; a part that is gone is read wholly or not wanted
   input  logic                store_bank_i,
   input  logic                store_colour_reads_i,
   input  logic                store_colour_gone_i,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ends of tiles, from when command hands them over until all they ask for is done: stores acknowledged, answers
-// taken. A table of four in stream order. Tiles are numbered modulo 16; an end is that of tile ended_o.
-// Addresses and pitches are kept in units of a tile's row, 4 * TileSize bytes, of which all are multiples.
+// The ends of tiles, from when command hands them over until all they ask for is done: stores
+// acknowledged, answers taken. A table of four in stream order. Tiles are numbered modulo 16; an
+// end is that of tile ended_o. Addresses and pitches are kept in units of a tile's row, 4 *
+// TileSize bytes, of which all are multiples.
 module tile_pending #(
   parameter int unsigned TileSize = 64,
   localparam int unsigned UnitBits = $clog2(4 * TileSize),
@@ -57,13 +58,17 @@ module tile_pending #(
 
   assign store_colour_output_o = colour_output[store_tile_i];
   assign store_depth_output_o = depth_output[store_tile_i];
-  assign {store_address_o, store_pitch_o} = store_depth_i ? depth[store_tile_i] : colour[store_tile_i];
+  assign {store_address_o, store_pitch_o} = store_depth_i ? depth[store_tile_i]
+                                                          : colour[store_tile_i];
 
-  assign hazard_output_o = hazard_depth_i ? depth_output[hazard_tile_i] : colour_output[hazard_tile_i];
-  assign {hazard_address_o, hazard_pitch_o} = hazard_depth_i ? depth[hazard_tile_i] : colour[hazard_tile_i];
+  assign hazard_output_o = hazard_depth_i ? depth_output[hazard_tile_i]
+                                          : colour_output[hazard_tile_i];
+  assign {hazard_address_o, hazard_pitch_o} = hazard_depth_i ? depth[hazard_tile_i]
+                                                             : colour[hazard_tile_i];
 
-  // Acknowledgements come in order, and an answer begins only when all before it is done: one counter is enough. It may
-  // have begun to count for the next tile while one that drops both parts, and so has nothing to wait for, retires.
+  // Acknowledgements come in order, and an answer begins only when all before it is done: one
+  // counter is enough. It may have begun to count for the next tile while one that drops both
+  // parts, and so has nothing to wait for, retires.
   assign parts = 2'(colour_output[done_q[1:0]] != gloss_pkg::TILE_OUTPUT_DROP)
       + 2'(depth_output[done_q[1:0]] != gloss_pkg::TILE_OUTPUT_DROP);
   assign complete = rows_q == {parts, {$clog2(TileSize) {1'b0}}};
@@ -71,7 +76,8 @@ module tile_pending #(
 
   always_ff @(posedge clk_i) begin
     if (take) begin
-      colour[ended_q[1:0]] <= {tile_end_i.colour[31:UnitBits], tile_end_i.colour_pitch[15:UnitBits]};
+      colour[ended_q[1:0]] <= {tile_end_i.colour[31:UnitBits],
+                               tile_end_i.colour_pitch[15:UnitBits]};
       depth[ended_q[1:0]] <= {tile_end_i.depth[31:UnitBits], tile_end_i.depth_pitch[15:UnitBits]};
       colour_output[ended_q[1:0]] <= tile_end_i.colour_output;
       depth_output[ended_q[1:0]] <= tile_end_i.depth_output;
@@ -86,7 +92,8 @@ module tile_pending #(
     end else begin
       if (take) ended_q <= ended_q + 1'b1;
       if (retire) done_q <= done_q + 1'b1;
-      rows_q <= (retire && parts != '0 ? '0 : rows_q) + RowsBits'(row_stored_i) + RowsBits'(row_answered_i);
+      rows_q <= (retire && parts != '0 ? '0 : rows_q)
+          + RowsBits'(row_stored_i) + RowsBits'(row_answered_i);
     end
   end
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brings a row that fragment reads from either bank to it: clear values one clock after the read, the row from a register
-// two clocks after it. Marks are compared behind that register, because block RAM's output comes late in its clock.
+// Brings a row that fragment reads from either bank to it: clear values one clock after the read,
+// the row from a register two clocks after it. Marks are compared behind that register, because
+// block RAM's output comes late in its clock.
 module tile_row #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4

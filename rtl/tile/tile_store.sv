@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads tiles that are drawn, in stream order, colour before depth, and sends their rows to memory or into the response
-// stream, one row of K pixels a clock. A tile waits here until it is drawn and its end is known; the bank is given back
-// when its last row has been read. Three clocks from the read to the output.
+// Reads tiles that are drawn, in stream order, colour before depth, and sends their rows to memory
+// or into the response stream, one row of K pixels a clock. A tile waits here until it is drawn and
+// its end is known; the bank is given back when its last row has been read. Three clocks from the
+// read to the output.
 module tile_store #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -38,7 +39,8 @@ module tile_store #(
   input  logic [MarkBits-1:0]    colour_mark_i,
   input  logic [MarkBits-1:0]    depth_mark_i,
 
-  // to tile_load: rows below row_o of the part that is read are free; a part that is gone is free wholly
+  // to tile_load: rows below row_o of the part that is read are free; a part that is gone is free
+  // wholly
   output logic                   colour_reads_o,
   output logic                   colour_gone_o,
   output logic                   depth_reads_o,
@@ -111,14 +113,18 @@ module tile_store #(
               && depth_output_i == gloss_pkg::TILE_OUTPUT_DROP ? Drain : Start;
         end
       end
-      // The last address of the part before is still to be taken, or answers have to wait for what was before them.
+      // The last address of the part before is still to be taken, or answers have to wait for what
+      // was before them.
       Start: begin
-        if (!store_valid_q && (part_output != gloss_pkg::TILE_OUTPUT_ANSWER || done_i == tile_q)) state_d = Read;
+        if (!store_valid_q &&
+            (part_output != gloss_pkg::TILE_OUTPUT_ANSWER || done_i == tile_q)) state_d = Read;
       end
-      // An address is always out before its data, and the data do not wait for the address to be taken.
+      // An address is always out before its data, and the data do not wait for the address to be
+      // taken.
       Read: begin
         read_en_o = (!ram_valid_q || word_moves) && (!row_first || answer_q || !store_valid_q);
-        if (part_last) state_d = !depth_q && depth_output_i != gloss_pkg::TILE_OUTPUT_DROP ? Start : Drain;
+        if (part_last)
+          state_d = !depth_q && depth_output_i != gloss_pkg::TILE_OUTPUT_DROP ? Start : Drain;
       end
       Drain: begin
         bank_done_o = !ram_valid_q && !word_valid_q;
@@ -199,7 +205,8 @@ module tile_store #(
     .rst_ni (rst_ni),
     .valid_i(word_valid_q),
     .ready_o(out_ready),
-    .data_i ({word_answer_q, word_last_q, word_mark_q == mark_i ? word_q : {PixelsPerClock{word_clear}}}),
+    .data_i ({word_answer_q, word_last_q,
+              word_mark_q == mark_i ? word_q : {PixelsPerClock{word_clear}}}),
     .valid_o(out_valid),
     .ready_i(out_answer ? response_ready_i : store_data_ready_i),
     .data_o ({out_answer, out_last, out_word})
