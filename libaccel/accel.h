@@ -623,6 +623,14 @@ struct accel_fence_status {
  */
 int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 		     struct accel_fence_status *status, size_t size);
+/*
+ * Returns a file descriptor, 0 or more, that poll() finds readable once the fence's jobs have
+ * ended: it is that of the last of them, which the board runs after the others. It is a sync file
+ * of the kernel, which other drivers can wait for. It is the caller's to close, may outlive the
+ * fence and its device, and is no wait: of how the jobs ended accel_fence_wait tells.
+ * -ENOTSUP: the device is not a "drm:". -EMFILE: no more files can be opened. -EIO, -ENODEV.
+ */
+int accel_fence_fd(struct accel_fence *fence);
 /* Waits for the job first; so the response buffer may be freed after it. */
 void accel_fence_free(struct accel_fence *fence);
 

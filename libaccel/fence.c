@@ -158,6 +158,24 @@ int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 	return fence->result;
 }
 
+int accel_fence_fd(struct accel_fence *fence)
+{
+	struct accel_device *device = fence->device;
+	int fd, held;
+
+	if (!device->ops->fence_fd) {
+		accel_device_message(device, "a fence of \"%s:\" has no file descriptor: \"drm:\" "
+				     "has", device->ops->scheme);
+		return -ENOTSUP;
+	}
+	if (accel_device_is_inherited(device))
+		return -ENODEV;
+	held = accel_thread_hold_cancel();
+	fd = device->ops->fence_fd(device->state, fence->sequence);
+	accel_thread_allow_cancel(held);
+	return fd;
+}
+
 /* In a child of fork() nothing ends any more. */
 static void fence_forget(struct accel_fence *fence)
 {

@@ -5,7 +5,7 @@
  * knows which one it talks to.
  *
  * The library calls one function of a device at a time, and these do not wait for
- * the board; except wait, wait_for_room, clocks and why, which any number of threads may
+ * the board; except wait, fence_fd, wait_for_room, clocks and why, which any number of threads may
  * be in at any time. It calls none in a child of fork(), and all with the thread's
  * cancellation disabled. Errors are -errno; a transport never prints, exits or keeps
  * what it was lent.
@@ -125,6 +125,13 @@ struct accel_transport_ops {
 	 */
 	int (*wait)(void *state, uint64_t sequence, int64_t timeout_ns,
 		    struct gloss_status *status);
+
+	/*
+	 * A file descriptor, the caller's, that is readable once job @sequence has ended, whether
+	 * it was waited for or not. Any number of threads may be in it. May be NULL: boards have
+	 * none. -EMFILE: no more files can be opened; -EIO, -ENODEV, -ENOMEM.
+	 */
+	int (*fence_fd)(void *state, uint64_t sequence);
 
 	/*
 	 * Clocks of all jobs that have ended. May be NULL: the board has no clock to count.

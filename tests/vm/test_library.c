@@ -4,6 +4,7 @@
  * nothing crashes on memory of a board that has gone. As root, for the board's fault window.
  */
 #include <errno.h>
+#include <poll.h>
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -144,6 +145,62 @@ static void a_slow_job_times_out_and_ends(void **state)
 	accel_fence_free(fence);
 }
 
+/* ---- fences as files ---- */
+
+static bool readable(int fd, int timeout_ms)
+{
+	struct pollfd file = { .fd = fd, .events = POLLIN };
+
+	return poll(&file, 1, timeout_ms) == 1 && file.revents == POLLIN;
+}
+
+static void a_fence_is_a_sync_file_too(void **state)
+{
+	struct accel_fence *fence[3];
+	int fd[4];
+
+	(void)state;
+	arm(VBOARD_FAULT_SLOW, 400000);
+	for (int i = 0; i < 3; i++) {
+		fence[i] = start();
+		fd[i] = accel_fence_fd(fence[i]);
+		assert_true(fd[i] >= 0);
+	}
+	/* The board works on the first. */
+	assert_false(readable(fd[2], 0));
+	assert_int_equal(accel_fence_wait(fence[2], 0, NULL, 0), -ETIMEDOUT);
+	arm(VBOARD_FAULT_SLOW, 0);
+	/* The last one's end is that of all, and a file may outlive its fence. */
+	assert_true(readable(fd[2], vm_patience_ms()));
+	for (int i = 0; i < 3; i++)
+		assert_int_equal(accel_fence_wait(fence[i], 0, NULL, 0), 0);
+	fd[3] = accel_fence_fd(fence[0]);
+	for (int i = 0; i < 3; i++)
+		accel_fence_free(fence[i]);
+	for (int i = 0; i < 4; i++) {
+		assert_true(readable(fd[i], 0));
+		close(fd[i]);
+	}
+}
+
+static void nobody_waits_for_a_job_without_a_fence(void **state)
+{
+	const uint32_t unknown = 0xff000000;
+	struct accel_stream *stream;
+
+	(void)state;
+	assert_int_equal(accel_stream_new(device, &stream), 0);
+	arm(VBOARD_FAULT_SLOW, 400000);
+	assert_int_equal(accel_stream_submit(stream, NULL, 0, NULL), 0);
+	assert_int_equal(accel_stream_emit(stream, &unknown, 1), 0);
+	assert_int_equal(accel_stream_submit(stream, NULL, 0, NULL), 0);
+	arm(VBOARD_FAULT_SLOW, 0);
+	assert_int_equal(accel_device_finish(device), -EIO);
+	assert_int_equal(accel_device_finish(device), 0);
+	accel_stream_free(stream);
+	the_board_works();
+}
+
 /* ---- a board that goes ---- */
 
 static void *wait_for(void *fence)
@@ -238,6 +295,8 @@ int main(void)
 		cmocka_unit_test(a_job_whose_dma_is_refused_fails_alone),
 		cmocka_unit_test(a_lost_interrupt_loses_no_job),
 		cmocka_unit_test(a_slow_job_times_out_and_ends),
+		cmocka_unit_test(a_fence_is_a_sync_file_too),
+		cmocka_unit_test(nobody_waits_for_a_job_without_a_fence),
 		cmocka_unit_test(a_board_that_dies_wakes_every_thread),
 		cmocka_unit_test(a_board_that_is_pulled_out_ends_every_call),
 	};

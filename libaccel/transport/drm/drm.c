@@ -339,6 +339,27 @@ static int transport_drm_wait(void *state, uint64_t sequence, int64_t timeout_ns
 	return err;
 }
 
+static int drm_fd_error(int err)
+{
+	return err == -EMFILE || err == -ENFILE ? -EMFILE : accel_drm_node_error(err);
+}
+
+/* A sync file is made of a syncobj without points, to which the job's point is copied. */
+static int transport_drm_fence_fd(void *state, uint64_t sequence)
+{
+	const struct transport_drm *transport = state;
+	int fd = -1, err = 0;
+	uint32_t syncobj;
+
+	if (drmSyncobjCreate(transport->fd, 0, &syncobj))
+		return drm_fd_error(-errno);
+	if (drmSyncobjTransfer(transport->fd, syncobj, 0, transport->syncobj, sequence, 0) ||
+	    drmSyncobjExportSyncFile(transport->fd, syncobj, &fd))
+		err = drm_fd_error(-errno);
+	drmSyncobjDestroy(transport->fd, syncobj);
+	return err ? err : fd;
+}
+
 /* The kernel counts of this file's jobs alone, from its opening on. */
 static int transport_drm_clocks(void *state, struct accel_device_clocks *clocks)
 {
@@ -369,5 +390,6 @@ const struct accel_transport_ops accel_transport_drm = {
 	.memory_free = transport_drm_memory_free,
 	.submit = transport_drm_submit,
 	.wait = transport_drm_wait,
+	.fence_fd = transport_drm_fence_fd,
 	.clocks = transport_drm_clocks,
 };

@@ -549,6 +549,18 @@ static int wait_without_memory(void)
 	return wait_of(-1);
 }
 
+/* A fence of a job that has ended. */
+static int fence_fd(void)
+{
+	struct accel_fence *fence;
+	int fd;
+
+	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
+	fd = accel_fence_fd(fence);
+	accel_fence_free(fence);
+	return fd;
+}
+
 /* ---- the table ---- */
 
 static const struct reached {
@@ -616,10 +628,14 @@ static const struct reached {
 	{ "accel_fence_wait", -EIO, wait_on_a_board_that_fails },
 	{ "accel_fence_wait", -ENODEV, wait_on_no_board },
 	{ "accel_fence_wait", -ENOMEM, wait_without_memory },
+	{ "accel_fence_fd", -ENOTSUP, fence_fd },
 };
 
 /* Reached in other programs, as it takes memory of the program's own that runs out, or a driver:
  * accel_fence_wait -ETIME: test_transport_drm.c
+ * accel_fence_fd -EMFILE: test_transport_drm.c
+ * accel_fence_fd -EIO: test_transport_drm.c
+ * accel_fence_fd -ENODEV: test_transport_drm.c
  * accel_device_finish -ETIME: test_transport_drm.c
  * accel_stream_submit -EIO: test_transport_drm.c
  * accel_stream_finish -ETIME: test_transport_drm.c

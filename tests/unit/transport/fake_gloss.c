@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
 #include <time.h>
@@ -186,6 +187,52 @@ static int syncobj_wait(struct file *file, const struct drm_syncobj_timeline_wai
 	return 0;
 }
 
+static int syncobj_transfer(struct file *file, const struct drm_syncobj_transfer *transfer)
+{
+	struct syncobj *from = fake_syncobj_find(file, transfer->src_handle);
+	struct syncobj *to = fake_syncobj_find(file, transfer->dst_handle);
+
+	if (!from || !to)
+		return -ENOENT;
+	if (transfer->flags || transfer->pad || transfer->dst_point ||
+	    transfer->src_point > from->submitted)
+		return -EINVAL;
+	to->source = from;
+	to->point = transfer->src_point;
+	return 0;
+}
+
+static int syncobj_export(struct file *file, struct drm_syncobj_handle *handle)
+{
+	struct syncobj *syncobj = fake_syncobj_find(file, handle->handle), *source;
+	int i = 0;
+
+	if (!syncobj)
+		return -ENOENT;
+	source = syncobj->source;
+	if (handle->flags != DRM_SYNCOBJ_HANDLE_TO_FD_FLAGS_EXPORT_SYNC_FILE || handle->pad || !source)
+		return -EINVAL;
+	handle->fd = eventfd(source->signalled >= syncobj->point, EFD_CLOEXEC);
+	if (handle->fd < 0 || source->signalled >= syncobj->point)
+		return handle->fd < 0 ? -errno : 0;
+	while (source->sync_file[i])
+		i++;
+	source->sync_file[i] = fcntl(handle->fd, F_DUPFD_CLOEXEC, 3);
+	source->sync_point[i] = syncobj->point;
+	return 0;
+}
+
+void fake_syncobj_signal(struct syncobj *syncobj)
+{
+	for (int i = 0; i < SYNC_FILES; i++) {
+		if (!syncobj->sync_file[i] || syncobj->sync_point[i] > syncobj->signalled)
+			continue;
+		eventfd_write(syncobj->sync_file[i], 1);
+		syscall(SYS_close, syncobj->sync_file[i]);
+		syncobj->sync_file[i] = 0;
+	}
+}
+
 /* A text as DRM_IOCTL_VERSION gives it: cut to the room, with its whole length. */
 static void version_text(const char *text, char *to, __kernel_size_t *room)
 {
@@ -239,6 +286,10 @@ static int dispatch(struct file *file, unsigned long request, void *argument)
 		return syncobj_destroy(file, argument);
 	case DRM_IOCTL_SYNCOBJ_TIMELINE_WAIT:
 		return syncobj_wait(file, argument);
+	case DRM_IOCTL_SYNCOBJ_TRANSFER:
+		return syncobj_transfer(file, argument);
+	case DRM_IOCTL_SYNCOBJ_HANDLE_TO_FD:
+		return syncobj_export(file, argument);
 	case DRM_IOCTL_GLOSS_GET_PARAM:
 		return get_param(file, argument);
 	case DRM_IOCTL_GLOSS_GEM_CREATE:

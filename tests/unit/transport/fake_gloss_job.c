@@ -150,6 +150,7 @@ static void job_end(struct job *job, const struct drm_gloss_status *status)
 		if (job->object[i])
 			job->object[i]->uses--;
 	job->syncobj->signalled = job->point;
+	fake_syncobj_signal(job->syncobj);
 	jobs_ended++;
 	pthread_cond_broadcast(&fake.changed);
 }

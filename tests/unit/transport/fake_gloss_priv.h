@@ -23,9 +23,17 @@ struct object {
 	uint64_t base, size;
 };
 
+#define SYNC_FILES 4
+
 struct syncobj {
 	bool used;
 	uint64_t submitted, signalled;
+	/* Of one without points: what was copied to it. */
+	struct syncobj *source;
+	uint64_t point;
+	/* Sync files to be signalled, each an eventfd; 0: none. */
+	int sync_file[SYNC_FILES];
+	uint64_t sync_point[SYNC_FILES];
 };
 
 struct file {
@@ -51,6 +59,9 @@ extern struct fake_state fake;
 /* NULL: there is none. */
 struct object *fake_handle_find(const struct file *file, uint32_t handle);
 struct syncobj *fake_syncobj_find(struct file *file, uint32_t handle);
+
+/* Called with the lock held: the sync files of points that are signalled. */
+void fake_syncobj_signal(struct syncobj *syncobj);
 
 /* Called with the lock held. */
 int fake_job_submit(struct file *file, const struct drm_gloss_submit *submit);

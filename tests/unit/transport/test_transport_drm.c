@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Jobs through the kernel module, on the kernel of fake_gloss.h. */
+#include <poll.h>
 #include <time.h>
 #include <unistd.h>
 #include <xf86drm.h>
@@ -539,6 +540,74 @@ static void a_job_that_runs_for_too_long_is_told_by_whoever_waits(void **state)
 	library_close(&library);
 }
 
+static bool readable(int fd)
+{
+	struct pollfd file = { .fd = fd, .events = POLLIN };
+
+	return poll(&file, 1, 0) == 1 && file.revents == POLLIN;
+}
+
+static void a_fence_has_a_file_descriptor_that_is_readable_at_its_end(void **state)
+{
+	struct library library;
+	struct accel_fence *fence[3];
+	int fd[3];
+
+	(void)state;
+	library_open(&library);
+	assert_int_equal(accel_stream_submit(library.stream, NULL, 0, &fence[0]), 0);
+	assert_int_equal(accel_fence_wait(fence[0], -1, NULL, 0), 0);
+	fake_gloss_hold();
+	for (int i = 1; i < 3; i++)
+		assert_int_equal(accel_stream_submit(library.stream, NULL, 0, &fence[i]), 0);
+	for (int i = 0; i < 3; i++) {
+		fd[i] = accel_fence_fd(fence[i]);
+		assert_true(fd[i] >= 0);
+		assert_int_equal(readable(fd[i]), i == 0);
+	}
+	fake_gloss_release();
+	for (int i = 0; i < 3; i++)
+		accel_fence_free(fence[i]);
+	/* They outlive the fences and the device. */
+	library_close(&library);
+	for (int i = 0; i < 3; i++) {
+		assert_true(readable(fd[i]));
+		close(fd[i]);
+	}
+}
+
+static void what_the_kernel_has_no_file_descriptor_for_is_told(void **state)
+{
+	static const unsigned int calls[] = {
+		_IOC_NR(DRM_IOCTL_SYNCOBJ_CREATE), _IOC_NR(DRM_IOCTL_SYNCOBJ_TRANSFER),
+		_IOC_NR(DRM_IOCTL_SYNCOBJ_HANDLE_TO_FD),
+	};
+	static const struct {
+		int error, answer;
+	} errors[] = {
+		{ EMFILE, -EMFILE }, { ENFILE, -EMFILE }, { ENOMEM, -ENOMEM }, { ENODEV, -ENODEV },
+		{ EACCES, -EIO },
+	};
+	struct library library;
+	struct accel_fence *fence;
+	unsigned int syncobjs;
+
+	(void)state;
+	library_open(&library);
+	assert_int_equal(accel_stream_submit(library.stream, NULL, 0, &fence), 0);
+	syncobjs = fake_gloss.syncobjs;
+	for (size_t i = 0; i < sizeof(calls) / sizeof(calls[0]); i++)
+		for (size_t j = 0; j < sizeof(errors) / sizeof(errors[0]); j++) {
+			fake_gloss.fail_request = calls[i];
+			fake_gloss.fail_errno = errors[j].error;
+			fake_gloss.fail_at = 1;
+			assert_int_equal(accel_fence_fd(fence), errors[j].answer);
+		}
+	assert_int_equal(fake_gloss.syncobjs, syncobjs);
+	accel_fence_free(fence);
+	library_close(&library);
+}
+
 static void clocks_are_what_the_kernel_tells(void **state)
 {
 	const struct accel_device_clocks told = { 1ull << 40, 2, 3, 4, 5, 6 };
@@ -586,6 +655,8 @@ int main(void)
 		drm_test(a_picture_is_that_of_the_model),
 		drm_test(what_the_kernel_refuses_is_an_error_of_submit),
 		drm_test(a_job_that_runs_for_too_long_is_told_by_whoever_waits),
+		drm_test(a_fence_has_a_file_descriptor_that_is_readable_at_its_end),
+		drm_test(what_the_kernel_has_no_file_descriptor_for_is_told),
 		drm_test(clocks_are_what_the_kernel_tells),
 	};
 
