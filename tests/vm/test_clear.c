@@ -7,10 +7,8 @@
 #include <dirent.h>
 #include <errno.h>
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <sys/wait.h>
 #include <xf86drm.h>
 
 #include <cmocka.h>
@@ -18,6 +16,7 @@
 #include "vboard/pci/faults.h"
 #include "gloss_node.h"
 #include "vm_test.h"
+#include "vm_victim.h"
 
 enum {
 	/* So many jobs clear it that it takes longer than to kill a process, if they are slow. */
@@ -72,42 +71,32 @@ static void an_object_whose_clearing_hung_the_board_is_cleared_anew(void **state
 	assert_true(client_works(&client));
 }
 
-/* Has an object cleared, tells its name, and waits to be killed. */
-static void use_object(int ready)
+/* Has an object cleared, and tells its name. */
+static bool use_object(uint32_t *told)
 {
 	struct drm_gem_flink flink = { .handle = 0 };
 	struct client victim;
 
 	if (client_open(&victim, card, BYTES))
-		_exit(1);
+		return false;
 	flink.handle = victim.board;
 	if (node_ioctl(victim.fd, DRM_IOCTL_GEM_FLINK, &flink) || client_queue(&victim, 0))
-		_exit(1);
-	if (write(ready, &flink.name, sizeof(flink.name)) == sizeof(flink.name))
-		pause();
-	_exit(1);
+		return false;
+	*told = flink.name;
+	return true;
 }
 
 static void an_object_of_a_killed_client_is_cleared_for_another(void **state)
 {
 	struct drm_gem_open open = { .name = 0 };
 	pid_t victim;
-	int ready[2];
 
 	(void)state;
 	make_dirty();
 	arm(VBOARD_FAULT_SLOW, SLOW_US);
-	assert_int_equal(pipe(ready), 0);
-	victim = fork();
-	assert_int_not_equal(victim, -1);
-	if (!victim)
-		use_object(ready[1]);
-	close(ready[1]);
-	assert_int_equal(read(ready[0], &open.name, sizeof(open.name)), sizeof(open.name));
-	close(ready[0]);
+	victim = victim_start(use_object, &open.name);
 	assert_int_equal(node_ioctl(client.fd, DRM_IOCTL_GEM_OPEN, &open), 0);
-	assert_int_equal(kill(victim, SIGKILL), 0);
-	assert_int_equal(waitpid(victim, NULL, 0), victim);
+	victim_kill(victim);
 	arm(VBOARD_FAULT_SLOW, 0);
 	client.board = open.handle;
 	assert_int_equal(read_zeros(), 0);

@@ -11,7 +11,6 @@
 #include <stddef.h>
 #include <linux/sync_file.h>
 #include <sys/time.h>
-#include <sys/wait.h>
 #include <xf86drm.h>
 
 #include <cmocka.h>
@@ -19,6 +18,7 @@
 #include "vboard/pci/faults.h"
 #include "gloss_node.h"
 #include "vm_test.h"
+#include "vm_victim.h"
 
 #define MIB (1ull << 20)
 
@@ -228,29 +228,6 @@ static int queue_long(const struct client *by, uint32_t board)
 	return err;
 }
 
-/* Runs @victim in a process that is killed when it has said that it is ready. */
-static void kill_when_ready(void (*victim)(void))
-{
-	pid_t process;
-	int ready[2];
-	char byte;
-
-	assert_int_equal(pipe(ready), 0);
-	process = fork();
-	assert_int_not_equal(process, -1);
-	if (!process) {
-		victim();
-		if (write(ready[1], "!", 1) == 1)
-			pause();
-		_exit(1);
-	}
-	close(ready[1]);
-	assert_int_equal(read(ready[0], &byte, 1), 1);
-	close(ready[0]);
-	assert_int_equal(kill(process, SIGKILL), 0);
-	assert_int_equal(waitpid(process, NULL, 0), process);
-}
-
 /* Larger than what is left, if somebody has as much. */
 static uint64_t large_object(int fd)
 {
@@ -260,15 +237,15 @@ static uint64_t large_object(int fd)
 	return memory / 8 * 5;
 }
 
-static void take_memory_for_ever(void)
+static bool take_memory_for_ever(uint32_t *told)
 {
 	struct client victim;
 	uint32_t board;
 
-	if (client_open(&victim, node, 0) ||
-	    node_create(victim.fd, DRM_GLOSS_GEM_BOARD, large_object(victim.fd), &board) ||
-	    queue_long(&victim, board))
-		_exit(1);
+	(void)told;
+	return !client_open(&victim, node, 0) &&
+	       !node_create(victim.fd, DRM_GLOSS_GEM_BOARD, large_object(victim.fd), &board) &&
+	       !queue_long(&victim, board);
 }
 
 static void memory_of_a_killed_client_is_free_soon(void **state)
@@ -278,7 +255,7 @@ static void memory_of_a_killed_client_is_free_soon(void **state)
 	int err;
 
 	(void)state;
-	kill_when_ready(take_memory_for_ever);
+	victim_kill(victim_start(take_memory_for_ever, NULL));
 	while ((err = node_create(small.fd, DRM_GLOSS_GEM_BOARD, large_object(small.fd), &board)) ==
 		       -ENOSPC &&
 	       now_ns() < until)

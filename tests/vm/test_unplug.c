@@ -9,7 +9,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 #include <xf86drm.h>
 
 #include <cmocka.h>
@@ -18,6 +17,7 @@
 #include "gloss_node.h"
 #include "vm_board.h"
 #include "vm_test.h"
+#include "vm_victim.h"
 
 #define BOARD_BYTES (4 * NODE_PAGE)
 
@@ -216,32 +216,17 @@ static void a_driver_is_taken_off_and_put_back(void **state)
 
 /* ---- processes and files that go ---- */
 
-/* Sends slow jobs, says so, and waits to be killed. */
-static pid_t start_victim(void)
+static bool queue_jobs(uint32_t *told)
 {
-	pid_t process;
-	int ready[2];
-	char byte;
+	struct client victim;
 
-	assert_int_equal(pipe(ready), 0);
-	process = fork();
-	assert_int_not_equal(process, -1);
-	if (!process) {
-		struct client victim;
-
-		if (client_open(&victim, node, BOARD_BYTES))
-			_exit(1);
-		for (uint32_t n = 0; n < CLIENT_QUEUE; n++)
-			if (client_queue(&victim, n))
-				_exit(1);
-		if (write(ready[1], "!", 1) == 1)
-			pause();
-		_exit(1);
-	}
-	close(ready[1]);
-	assert_int_equal(read(ready[0], &byte, 1), 1);
-	close(ready[0]);
-	return process;
+	(void)told;
+	if (client_open(&victim, node, BOARD_BYTES))
+		return false;
+	for (uint32_t n = 0; n < CLIENT_QUEUE; n++)
+		if (client_queue(&victim, n))
+			return false;
+	return true;
 }
 
 static void a_killed_process_takes_nobody_with_it(void **state)
@@ -249,14 +234,11 @@ static void a_killed_process_takes_nobody_with_it(void **state)
 	(void)state;
 	for (int n = 0; n < 3; n++) {
 		pid_t victim;
-		int status;
 
 		arm(VBOARD_FAULT_SLOW, 50000);
-		victim = start_victim();
+		victim = victim_start(queue_jobs, NULL);
 		queue_all(&client);
-		assert_int_equal(kill(victim, SIGKILL), 0);
-		assert_int_equal(waitpid(victim, &status, 0), victim);
-		assert_true(WIFSIGNALED(status));
+		victim_kill(victim);
 		arm(VBOARD_FAULT_SLOW, 0);
 		all_end_well(&client);
 	}
@@ -268,12 +250,9 @@ static void memory_of_a_killed_process_is_clear(void **state)
 	(void)state;
 	for (int n = 0; n < 3; n++) {
 		struct client next;
-		pid_t victim;
 
 		arm(VBOARD_FAULT_SLOW, 20000);
-		victim = start_victim();
-		kill(victim, SIGKILL);
-		waitpid(victim, NULL, 0);
+		victim_kill(victim_start(queue_jobs, NULL));
 		assert_int_equal(client_open(&next, node, BOARD_BYTES), 0);
 		assert_int_equal(client_run(&next, node_read(next.stream, 0, 0, BOARD_BYTES / 4),
 					    BOARD_BYTES / 4),
