@@ -7,11 +7,12 @@
  *
  * How long that takes is watched here, and not by the scheduler, whose own timer would take it
  * apart for each late job. As long as the ring has jobs, a work looks at it every timeout_ms.
- * If a job has ended, and its interrupt has not come a moment later, that was lost. If the board has not moved for timeout_ms, the job
- * at the ring's head hung; if the job has run for job_limit_ms, it ends all the same. A DMA
- * error makes the driver look at once, and the board names the job. Then the board is reset,
- * and given the ring again, with an empty job in place of the one to blame, which so ends in
- * its turn. Neither the scheduler nor the other jobs' fences notice.
+ * If a job has ended, and its interrupt has not come a moment later, that was lost. If the board
+ * has not moved for timeout_ms, the job at the ring's head hung; if the job has run for
+ * job_limit_ms, it ends all the same. A DMA error makes the driver look at once, and the board
+ * names the job. Then the board is reset, and given the ring again, with an empty job in place of
+ * the one to blame, which so ends in its turn. Neither the scheduler nor the other jobs' fences
+ * notice.
  *
  * The scheduler lives until the last open file is closed, also when the board has gone before:
  * that is how the jobs which are still queued end.
