@@ -237,7 +237,7 @@ static void set_light(void)
 
 static struct accel_material any_material(void)
 {
-	struct accel_material material;
+	struct accel_material material = ACCEL_MATERIAL();
 
 	any_floats(material.emission, 4);
 	any_floats(material.ambient, 4);

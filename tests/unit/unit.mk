@@ -177,7 +177,7 @@ COVERED_TESTS = $(filter-out test_symbols test_sim_wrapper %_out_of_memory,$(fil
 .PHONY: coverage
 coverage: $(ACCEL_TEST_SIMS) ## lines that the unit tests run: build/coverage/report/index.html
 	$(Q)find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/coverage CFLAGS='-O0 -g --coverage' $(COVERED_TESTS:%=run-%)
+	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/coverage CFLAGS='-O1 -g --coverage' $(COVERED_TESTS:%=run-%)
 	$(Q)mkdir -p $(BUILD)/coverage/report
 	$(Q)gcovr --root . --filter libaccel/ --filter tools/ --object-directory $(BUILD)/coverage \
 		--html-details $(BUILD)/coverage/report/index.html --txt --print-summary $(BUILD)/coverage

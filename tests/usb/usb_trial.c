@@ -314,14 +314,14 @@ static void picture_prepare(struct item *item)
 	item->width = 1 + (int)below(&seed, SIDE_MAX);
 	item->height = 1 + (int)below(&seed, SIDE_MAX);
 	for (int n = 0; n < 2; n++)
-		item->drawn[n].pixel = memory((size_t)(item->width * item->height), 4);
+		item->drawn[n].pixel = memory((size_t)item->width * (size_t)item->height, 4);
 }
 
 static void picture_compare(const struct item *item)
 {
 	if (!item->drawn[0].result)
 		compare_words(item, "a picture", item->drawn[0].pixel, item->drawn[1].pixel,
-			      (size_t)(item->width * item->height));
+			      (size_t)item->width * (size_t)item->height);
 }
 
 /* ---- a copy: what is right is known without the model ---- */

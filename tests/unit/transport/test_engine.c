@@ -307,6 +307,7 @@ static pthread_t main_thread;
 static void on_signal(int number)
 {
 	(void)number;
+	/* NOLINTNEXTLINE(bugprone-signal-handler): it compares two numbers */
 	signalled_thread_is_main = pthread_equal(pthread_self(), main_thread) != 0;
 }
 
