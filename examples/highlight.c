@@ -5,15 +5,15 @@
 
 static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 }, { 0, 0.9f, 0 } };
 static const float normal[3][3] = { { -0.5f, -0.4f, 1 }, { 0.5f, -0.4f, 1 }, { 0, 0.5f, 1 } };
-static const struct accel_mesh mesh =
-	ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
-		   .position = { .data = corner }, .normal = { .data = normal });
-static const struct accel_material gold =
-	ACCEL_MATERIAL(.diffuse = { 0.6f, 0.4f, 0.1f, 1 }, .specular = { 0.6f, 0.6f, 0.5f, 1 },
-		       .shininess = 30);
-static const struct accel_light lamp =
-	ACCEL_LIGHT(.enabled = true, .position = { 0, 0, 1, 0 }, .diffuse = { 1, 1, 1, 1 },
-		    .specular = { 1, 1, 1, 1 });
+static const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						 .vertices = 3, .position = { .data = corner },
+						 .normal = { .data = normal });
+static const struct accel_material gold = ACCEL_MATERIAL(.diffuse = { 0.6f, 0.4f, 0.1f, 1 },
+							 .specular = { 0.6f, 0.6f, 0.5f, 1 },
+							 .shininess = 30);
+static const struct accel_light lamp = ACCEL_LIGHT(.enabled = true, .position = { 0, 0, 1, 0 },
+						   .diffuse = { 1, 1, 1, 1 },
+						   .specular = { 1, 1, 1, 1 });
 
 /* A state that lights with the lamp, from a viewer who is far away. */
 static struct accel_state *lit(void)

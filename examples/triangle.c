@@ -6,7 +6,8 @@
 static const float corner[3][3] = { { -0.9f, -0.8f, 0 }, { 0.9f, -0.8f, 0 }, { 0, 0.9f, 0 } };
 static const float colour[3][4] = { { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0, 1, 1 } };
 static const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
-	.vertices = 3, .position = { .data = corner }, .colour = { .data = colour });
+						 .vertices = 3, .position = { .data = corner },
+						 .colour = { .data = colour });
 
 int main(int argc, char **argv)
 {

@@ -440,9 +440,10 @@ struct accel_array {
 	const void *data; /* NULL: there is none */
 	uint32_t stride;  /* bytes from an element to the next; 0: no gaps */
 	enum accel_type type;
-	uint8_t components; /* numbers of an element; 0: all of the attribute */
-	bool normalised;    /* the whole range of an integer type stands for 0 to 1 */
-	bool constant;      /* the first element is all vertices', @stride is ignored */
+	uint8_t components;  /* numbers of an element; 0: all of the attribute */
+	bool normalised;     /* the whole range of an integer type stands for 0 to 1 */
+	bool constant;       /* the first element is all vertices', @stride is ignored */
+	uint8_t reserved[5]; /* 0 */
 };
 
 struct accel_mesh {
@@ -512,7 +513,7 @@ int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *clear);
  * Draws @mesh on the frame's target as @state says.
  * -EINVAL: no frame was begun; an index out of range; a coordinate that is not finite; no
  * position array; an array or a topology that is not drawn so far; a size that is not set, or
- * @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn
+ * a @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn
  * then. After -ENOMEM the frame is forgotten, and to be begun again.
  *
  * Pixels are covered by OpenGL's rule, with vertices rounded to 1/16 pixel. Shading changes

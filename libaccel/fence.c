@@ -164,8 +164,10 @@ int accel_fence_fd(struct accel_fence *fence)
 	int fd, held;
 
 	if (!device->ops->fence_fd) {
-		accel_device_message(device, "a fence of \"%s:\" has no file descriptor: \"drm:\" "
-				     "has", device->ops->scheme);
+		accel_device_message(device,
+				     "a fence of \"%s:\" has no file descriptor: \"drm:\" "
+				     "has",
+				     device->ops->scheme);
 		return -ENOTSUP;
 	}
 	if (accel_device_is_inherited(device))

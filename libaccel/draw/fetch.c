@@ -24,6 +24,11 @@ static int fetch_check(struct accel_device *device, enum accel_attribute attribu
 				     array->components, of->least, of->most);
 		return -EINVAL;
 	}
+	for (size_t i = 0; i < sizeof(array->reserved); i++)
+		if (array->reserved[i]) {
+			accel_device_message(device, "%s whose reserved bytes are set", of->name);
+			return -EINVAL;
+		}
 	if (array->type == ACCEL_TYPE_FLOAT ||
 	    (array->type == ACCEL_TYPE_UBYTE && array->normalised &&
 	     attribute == ACCEL_ATTRIBUTE_COLOUR))

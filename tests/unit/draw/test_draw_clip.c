@@ -20,8 +20,8 @@ struct parallelogram {
 	float corner[3], along[2][3];
 };
 
-static double clip[3][4];		/* of the corner and the two directions */
-static int twice;			/* pixels on a border that were drawn twice */
+static double clip[3][4]; /* of the corner and the two directions */
+static int twice;         /* pixels on a border that were drawn twice */
 
 static int setup(void **state)
 {
@@ -32,7 +32,7 @@ static int setup(void **state)
 /* Where the ray through a point of the window meets the plane: in view if all but w are 0 to 1. */
 struct meeting {
 	double s, t, depth, w;
-	bool turned;			/* seen from behind */
+	bool turned; /* seen from behind */
 };
 
 static struct meeting ray_meets(double x, double y)
@@ -204,13 +204,11 @@ struct huge {
 
 static void draw_floor(struct fixture *f, float size, float turn, struct huge *huge)
 {
-	const struct parallelogram p = {
-		{ -size, -1, size }, { { 2 * size, 0, 0 }, { 0, 0, -2 * size } }
-	};
-	const float c = cosf(turn), s = sinf(turn), look[16] = {
-		c, -s * 0.28f, s * 0.96f, 0, 0, 0.96f, 0.28f, 0, -s, -c * 0.28f, c * 0.96f, 0,
-		0, 0, 0, 1
-	};
+	const struct parallelogram p = { { -size, -1, size },
+					 { { 2 * size, 0, 0 }, { 0, 0, -2 * size } } };
+	const float c = cosf(turn), s = sinf(turn),
+		    look[16] = { c,  -s * 0.28f, s * 0.96f, 0, 0, 0.96f, 0.28f, 0,
+				 -s, -c * 0.28f, c * 0.96f, 0, 0, 0,     0,     1 };
 
 	memset(huge, 0, sizeof(*huge));
 	huge->picture = (struct picture){ SIDE, huge->colour, huge->depth };
@@ -240,8 +238,9 @@ static void a_floor_of_any_size_is_the_same_floor(void **state)
 				covered += counts[at];
 				if (counts[at] != wanted[at] || llabs(depth) > 64)
 					fail_msg("size %g, turn %d, pixel %d: drawn %d times, not "
-						 "%d, depth %lld off", (double)sizes[i], turn, at,
-						 counts[at], wanted[at], (long long)depth);
+						 "%d, depth %lld off",
+						 (double)sizes[i], turn, at, counts[at], wanted[at],
+						 (long long)depth);
 			}
 		}
 		assert_true(covered > SIDE * SIDE / 8);

@@ -193,6 +193,11 @@ static void what_is_not_read_is_refused(void **state)
 				refuse(*state, mesh, name[i]);
 		}
 		array[i]->components = 0;
+		for (size_t j = 0; j < sizeof(array[i]->reserved); j++) {
+			array[i]->reserved[j] = 1;
+			refuse(*state, mesh, "whose reserved bytes are set");
+			array[i]->reserved[j] = 0;
+		}
 		for (int type = ACCEL_TYPE_DOUBLE; type < 12; type++) {
 			array[i]->type = (enum accel_type)type;
 			array[i]->normalised = type != ACCEL_TYPE_UBYTE || i != 2;

@@ -210,7 +210,8 @@ static int syncobj_export(struct file *file, struct drm_syncobj_handle *handle)
 	if (!syncobj)
 		return -ENOENT;
 	source = syncobj->source;
-	if (handle->flags != DRM_SYNCOBJ_HANDLE_TO_FD_FLAGS_EXPORT_SYNC_FILE || handle->pad || !source)
+	if (handle->flags != DRM_SYNCOBJ_HANDLE_TO_FD_FLAGS_EXPORT_SYNC_FILE || handle->pad ||
+	    !source)
 		return -EINVAL;
 	handle->fd = eventfd(source->signalled >= syncobj->point, EFD_CLOEXEC);
 	if (handle->fd < 0 || source->signalled >= syncobj->point)

@@ -579,14 +579,15 @@ static void a_fence_has_a_file_descriptor_that_is_readable_at_its_end(void **sta
 static void what_the_kernel_has_no_file_descriptor_for_is_told(void **state)
 {
 	static const unsigned int calls[] = {
-		_IOC_NR(DRM_IOCTL_SYNCOBJ_CREATE), _IOC_NR(DRM_IOCTL_SYNCOBJ_TRANSFER),
+		_IOC_NR(DRM_IOCTL_SYNCOBJ_CREATE),
+		_IOC_NR(DRM_IOCTL_SYNCOBJ_TRANSFER),
 		_IOC_NR(DRM_IOCTL_SYNCOBJ_HANDLE_TO_FD),
 	};
 	static const struct {
 		int error, answer;
 	} errors[] = {
-		{ EMFILE, -EMFILE }, { ENFILE, -EMFILE }, { ENOMEM, -ENOMEM }, { ENODEV, -ENODEV },
-		{ EACCES, -EIO },
+		{ EMFILE, -EMFILE }, { ENFILE, -EMFILE }, { ENOMEM, -ENOMEM },
+		{ ENODEV, -ENODEV }, { EACCES, -EIO },
 	};
 	struct library library;
 	struct accel_fence *fence;
