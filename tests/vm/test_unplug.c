@@ -156,7 +156,7 @@ static void a_board_is_removed_under_its_jobs(void **state)
 
 	(void)state;
 	vm_expect("gloss |pci");
-	arm(VBOARD_FAULT_SLOW, 100000);
+	arm(VBOARD_FAULT_SLOW, 400000);
 	mine = queue_fences(&client);
 	others = queue_fences(&other);
 	assert_int_equal(client_queue_wait(&client, 0), 0);
