@@ -94,6 +94,10 @@ package gloss_pkg;
     logic       step;   // the next block of the run
   } shade_command_t;
 
+  // ---- what command asks its slot table ----
+  // Of the bytes of an access: at most 64 rows, less than 65536 apart.
+  localparam int unsigned ExtentBits = $clog2(64 * 65536 + 1);
+
   // ---- what command hands to tile: checked, addresses absolute ----
   typedef struct packed {
     logic        colour_load;

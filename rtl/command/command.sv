@@ -102,7 +102,7 @@ module command #(
 
   logic                  ask, ask_write, ask_valid, ask_allowed;
   logic [3:0]            ask_slot;
-  logic [22:0]           ask_extent;
+  logic [gloss_pkg::ExtentBits-1:0] ask_extent;
   logic [31:0]           ask_address;
 
   logic [15:0]           answer_words;

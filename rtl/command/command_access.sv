@@ -19,7 +19,7 @@ module command_access #(
   output logic        access_o,         // check slot, write and extent; the offset is word_i
   output logic [3:0]  slot_o,
   output logic        write_o,
-  output logic [22:0] extent_o,         // bytes
+  output logic [gloss_pkg::ExtentBits-1:0] extent_o, // bytes
   output logic [15:0] answer_o          // words
 );
 
@@ -36,7 +36,7 @@ module command_access #(
   logic        off_word, off_tile;       // not a multiple of a word, of a row of a tile
   logic        load;
   logic [1:0]  tile_output;
-  logic [22:0] rows, tile_extent;
+  logic [gloss_pkg::ExtentBits-1:0] rows, tile_extent;
   logic [15:0] copy_words;
   logic        copy_write;
 
@@ -51,8 +51,8 @@ module command_access #(
   assign tile_output = second_i ? end_header.depth_output : end_header.colour_output;
 
   // T-1 rows and the pixels of the last one.
-  assign rows = {7'b0, surface_pitch_i};
-  assign tile_extent = (rows << TileBits) - rows + 23'(4 * TileSize);
+  assign rows = gloss_pkg::ExtentBits'(surface_pitch_i);
+  assign tile_extent = (rows << TileBits) - rows + gloss_pkg::ExtentBits'(4 * TileSize);
 
   assign copy_write = header_i[31:24] == gloss_pkg::OP_WRITE_MEMORY;
   assign copy_words = copy_write ? {5'b0, header_i[10:0]} - 16'd2 : read_memory.count;
@@ -69,7 +69,7 @@ module command_access #(
       gloss_pkg::OP_WRITE_MEMORY, gloss_pkg::OP_READ_MEMORY: begin
         slot_o = read_memory.slot;
         write_o = copy_write;
-        extent_o = {5'b0, copy_words, 2'b0};
+        extent_o = gloss_pkg::ExtentBits'({copy_words, 2'b0});
         if (second_i) begin
           bad_value_o = off_word;
           access_o = 1'b1;

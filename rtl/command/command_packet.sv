@@ -35,7 +35,7 @@ module command_packet #(
   output logic                      ask_o,
   output logic [3:0]                ask_slot_o,
   output logic                      ask_write_o,
-  output logic [22:0]               ask_extent_o,
+  output logic [gloss_pkg::ExtentBits-1:0] ask_extent_o,
   input  logic                      ask_valid_i,
   input  logic                      ask_allowed_i,
   input  logic [31:0]               ask_address_i,

@@ -28,9 +28,9 @@ module command_record #(
   localparam int unsigned CountBits = $clog2(Lanes + 1);
 
   // Reserved bits of 16 words; the parts are padded with words that have none.
-  localparam logic [511:0] WideReserved = {224'b0, gloss_pkg::EDGES_WIDE_RESERVED};
-  localparam logic [511:0] CompactReserved = {320'b0, gloss_pkg::EDGES_COMPACT_RESERVED};
-  localparam logic [511:0] DepthReserved = {384'b0, gloss_pkg::DEPTH_WIDE_RESERVED};
+  localparam logic [511:0] WideReserved = 512'(gloss_pkg::EDGES_WIDE_RESERVED);
+  localparam logic [511:0] CompactReserved = 512'(gloss_pkg::EDGES_COMPACT_RESERVED);
+  localparam logic [511:0] DepthReserved = 512'(gloss_pkg::DEPTH_WIDE_RESERVED);
   // Where first_row and last_row are, in the same bits of both.
   localparam logic [3:0] WideRowsWord = 4'd2;
   localparam logic [3:0] CompactRowsWord = 4'd1;

@@ -19,7 +19,7 @@ module command_slot (
   input  logic [3:0]  slot_i,
   input  logic        write_i,
   input  logic [31:0] offset_i,
-  input  logic [22:0] extent_i,
+  input  logic [gloss_pkg::ExtentBits-1:0] extent_i,
 
   output logic        valid_o,
   output logic        allowed_o,
@@ -28,14 +28,14 @@ module command_slot (
 
   logic [31:0] base, size;
   logic [1:0]  rights;
-  logic [22:0] extent_q;
+  logic [gloss_pkg::ExtentBits-1:0] extent_q;
   logic [32:0] end_q;
   logic [31:0] address_q;
   logic        right_q, allowed_q;
   logic [2:0]  asked_q;
 
   ram_1r1w #(
-    .Width(66),
+    .Width($bits({slot_rights_i, slot_size_i, slot_base_i})),
     .Depth(gloss_pkg::Slots)
   ) u_slots (
     .clk_i       (clk_i),
@@ -53,7 +53,7 @@ module command_slot (
 
   always_ff @(posedge clk_i) begin
     extent_q <= extent_i;
-    end_q <= {1'b0, offset_i} + {10'b0, extent_q};
+    end_q <= {1'b0, offset_i} + 33'(extent_q);
     address_q <= base + offset_i;
     right_q <= |(rights & (write_i ? gloss_pkg::RIGHTS_WRITE : gloss_pkg::RIGHTS_READ));
     allowed_q <= right_q && end_q <= {1'b0, size};

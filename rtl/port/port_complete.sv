@@ -40,7 +40,7 @@ module port_complete #(
   output logic [StreamBits-1:0] data_o
 );
 
-  localparam int unsigned Beats = 128 / StreamBits;
+  localparam int unsigned Beats = gloss_pkg::COMPLETION_BITS / StreamBits;
 
   typedef enum logic [2:0] {Rest, Flush, Drop, Address, Data, Answer} state_e;
 

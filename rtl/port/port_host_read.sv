@@ -65,7 +65,7 @@ module port_host_read #(
   assign take = arvalid_o && arready_i;
 
   stream_fifo #(
-    .Width(64 + IndexBits),
+    .Width($bits({reader, araddr_o})),
     .Depth(Outstanding)
   ) u_order (
     .clk_i  (clk_i),

@@ -66,7 +66,7 @@ module port_host_write #(
   assign wstrb_o = completion_i ? '1 : response_strobe_i;
 
   stream_fifo #(
-    .Width(60),
+    .Width($bits(completion_address_i)),
     .Depth(Outstanding)
   ) u_order (
     .clk_i  (clk_i),

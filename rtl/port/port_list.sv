@@ -60,7 +60,7 @@ module port_list #(
   end
 
   stream_fifo #(
-    .Width(52),
+    .Width($bits(page_o)),
     .Depth(2)
   ) u_pages (
     .clk_i  (clk_i),

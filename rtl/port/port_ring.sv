@@ -53,7 +53,7 @@ module port_ring #(
 );
 
   localparam int unsigned Lanes = StreamBits / 32;
-  localparam int unsigned BeatBits = $clog2(512 / StreamBits);
+  localparam int unsigned BeatBits = $clog2(gloss_pkg::JOB_DESCRIPTOR_BITS / StreamBits);
   localparam int unsigned EntryBits = gloss_pkg::RingMaxLog2;
 
   typedef enum logic [2:0] {Rest, Ask, Descriptor, Load, List, Ready, Copy, Offer} state_e;
@@ -102,7 +102,7 @@ module port_ring #(
     endcase
   end
 
-  for (genvar w = 0; w < 16; w++) begin : gen_word
+  for (genvar w = 0; w < gloss_pkg::JOB_DESCRIPTOR_BITS / 32; w++) begin : gen_word
     if (gloss_pkg::JOB_DESCRIPTOR_RESERVED[32*w +: 32] == '1) begin : gen_none
       assign descriptor[32*w +: 32] = '0;
     end else begin : gen_kept

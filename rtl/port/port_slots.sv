@@ -29,7 +29,7 @@ module port_slots #(
   output logic [1:0]            slot_rights_o
 );
 
-  localparam int unsigned EntryBeats = 128 / StreamBits;
+  localparam int unsigned EntryBeats = gloss_pkg::SLOT_ENTRY_BITS / StreamBits;
   localparam int unsigned BeatBits = $clog2(gloss_pkg::Slots * EntryBeats);
 
   logic [2:0] left_q;  // bursts not asked for
@@ -41,7 +41,7 @@ module port_slots #(
   // verilator lint_off UNUSEDSIGNAL
   gloss_pkg::slot_entry_t entry;
   // verilator lint_on UNUSEDSIGNAL
-  logic [127:0] entry_q;
+  logic [gloss_pkg::SLOT_ENTRY_BITS-1:0] entry_q;
   logic loaded_q, copy_q, copied_q;
   logic [3:0] copy_index_q, slot_index_q;
 
@@ -53,14 +53,16 @@ module port_slots #(
 
   assign beat_ends = (beat_q & BeatBits'(EntryBeats - 1)) == BeatBits'(EntryBeats - 1);
 
-  if (StreamBits == 128) begin : gen_whole
+  if (EntryBeats == 1) begin : gen_whole
     always_ff @(posedge clk_i) if (beat_valid_i) entry_q <= beat_data_i;
   end else begin : gen_part
-    always_ff @(posedge clk_i) if (beat_valid_i) entry_q <= {beat_data_i, entry_q[127:StreamBits]};
+    always_ff @(posedge clk_i)
+      if (beat_valid_i)
+        entry_q <= {beat_data_i, entry_q[gloss_pkg::SLOT_ENTRY_BITS-1:StreamBits]};
   end
 
   ram_1r1w #(
-    .Width(54),
+    .Width($bits({slot_rights_o, slot_size_o, slot_base_o[31:12]})),
     .Depth(gloss_pkg::Slots)
   ) u_entries (
     .clk_i       (clk_i),

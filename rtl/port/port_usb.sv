@@ -264,7 +264,7 @@ module port_usb #(
 
   logic unused; // one that does not fit is dropped
   stream_fifo #(
-    .Width(37),
+    .Width($bits({event_lost, event_cause, event_sequence})),
     .Depth(Events)
   ) u_events (
     .clk_i  (clk_i),

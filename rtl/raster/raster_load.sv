@@ -238,7 +238,8 @@ module raster_load #(
     .dy_o      (alpha_dy_o)
   );
 
-  logic [3*192-1:0] surfaces;
+  localparam int unsigned SurfaceBits = $bits(red_o);
+  logic [3*SurfaceBits-1:0] surfaces;
 
   for (genvar c = 0; c < 3; c++) begin : gen_colour
     raster_load_surface #(
@@ -250,7 +251,7 @@ module raster_load #(
       .row_i    (row_q),
       .data_i   (data_q),
       .shading_i(shading_q),
-      .surface_o(surfaces[192*c +: 192])
+      .surface_o(surfaces[SurfaceBits*c +: SurfaceBits])
     );
   end
 

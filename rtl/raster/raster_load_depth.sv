@@ -19,7 +19,9 @@ module raster_load_depth #(
   localparam int unsigned Lanes = StreamBits / 32;
   localparam int unsigned Low = gloss_pkg::DepthCompactShift;
 
-  logic [119:0] plane; // z, dx, dy
+  localparam int unsigned CoefficientBits = $bits(depth_o) / 3;
+
+  logic [$bits(depth_o)-1:0] plane; // z, dx, dy
   logic [31:0]  high;
   logic         take_high, unused_high;
 
@@ -30,7 +32,7 @@ module raster_load_depth #(
   for (genvar n = 0; n < 3; n++) begin : gen_word
     logic [31:0] word;
     logic        take;
-    logic [39:0] value_q;
+    logic [CoefficientBits-1:0] value_q;
 
     assign word = data_i[32*(n%Lanes) +: 32];
     assign take = write_i && row_i == 5'(n/Lanes);
@@ -42,7 +44,7 @@ module raster_load_depth #(
       end
     end
 
-    assign plane[40*(2-n) +: 40] = value_q;
+    assign plane[CoefficientBits*(2-n) +: CoefficientBits] = value_q;
   end
 
   assign depth_o = plane;

@@ -26,7 +26,9 @@ module raster_load_edges #(
 
   localparam int unsigned Lanes = StreamBits / 32;
 
-  logic [3*74-1:0]             lines;
+  localparam int unsigned LineBits = $bits(left_o);
+
+  logic [3*LineBits-1:0]       lines;
   logic [1:0]                  take_rows; // the word with the rows, that with the switch
   logic [63:0]                 rows_word;
 
@@ -65,7 +67,7 @@ module raster_load_edges #(
       if (take_dy) dy_q <= compact_i ? {6'd0, compact_rmd[29:20]} : wide_dy[15:0];
     end
 
-    assign lines[74*e +: 74] = {x_q, step_q, r_q, m_q, dy_q};
+    assign lines[LineBits*e +: LineBits] = {x_q, step_q, r_q, m_q, dy_q};
 
     if (e < 2) begin : gen_rows
       assign rows_word[32*e +: 32] = compact_i ? compact_x : wide_dy;

@@ -20,8 +20,8 @@ module raster_load_surface #(
   localparam int unsigned Lanes = StreamBits / 32;
   localparam int unsigned Fraction = gloss_pkg::ColourFraction;
 
-  logic         flat, second;
-  logic [191:0] fields; // i, dx, dy, dxx, dxy, dyy
+  logic flat, second;
+  logic [$bits(surface_o)-1:0] fields; // i, dx, dy, dxx, dxy, dyy
 
   assign flat = shading_i == gloss_pkg::SHADING_FLAT;
   assign second = shading_i == gloss_pkg::SHADING_SECOND_ORDER;

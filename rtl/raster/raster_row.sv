@@ -189,7 +189,7 @@ module raster_row #(
   // A block's state is taken with the first block of its run. The state of a triangle stays for
   // three clocks after its last block, so it is handed on every third clock only.
   localparam int unsigned Stations = (Latency - 2) / 3 + 1;
-  localparam int unsigned StateBits = 9;
+  localparam int unsigned StateBits = $bits(state_i);
   logic [Stations*StateBits-1:0] station_q;
 
   always_ff @(posedge clk_i) begin

@@ -200,7 +200,7 @@ module raster_shade #(
 
   shade_plane #(
     .PixelsPerClock(PixelsPerClock),
-    .Width         (32),
+    .Width         ($bits(alpha)),
     .Fraction      (gloss_pkg::ColourFraction),
     .LevelBits     (8)
   ) u_shade_alpha (
@@ -214,7 +214,7 @@ module raster_shade #(
 
   shade_plane #(
     .PixelsPerClock(PixelsPerClock),
-    .Width         (40),
+    .Width         ($bits(depth) / 3),
     .Fraction      (gloss_pkg::DepthFraction),
     .LevelBits     (24)
   ) u_shade_depth (

@@ -174,7 +174,7 @@ module raster_walk #(
   // A FIFO and not a stream_register: taking a span then moves a pointer and enables no wide
   // register, which is what raster_row has time for.
   stream_fifo #(
-    .Width(2 + 2 * XBits + 2 * LaneBits),
+    .Width($bits({span_last_o, span_empty_o, span_block_o, span_more_o, span_low_o, span_high_o})),
     .Depth(2)
   ) u_spans (
     .clk_i  (clk_i),
