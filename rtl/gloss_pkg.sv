@@ -62,7 +62,7 @@ package gloss_pkg;
     logic [6:0] x1;
     logic [6:0] y0;
     logic [6:0] x0;
-  } clip_t;
+  } scissor_rect_t;
 
   // ---- shade ----
   typedef struct packed {

@@ -100,10 +100,10 @@ module command #(
   logic [31:0]           header, word;
   logic                  in_tile;
 
-  logic                  ask, ask_write, ask_valid, ask_allowed;
-  logic [3:0]            ask_slot;
-  logic [gloss_pkg::ExtentBits-1:0] ask_extent;
-  logic [31:0]           ask_address;
+  logic                  lookup, lookup_write, lookup_valid, lookup_allowed;
+  logic [3:0]            lookup_slot;
+  logic [gloss_pkg::ExtentBits-1:0] lookup_extent;
+  logic [31:0]           lookup_address;
 
   logic [15:0]           answer_words;
   logic                  answer_short, answer_reserve, answer_send, answer_sent, tile_ended;
@@ -207,13 +207,13 @@ module command #(
     .push_kind_o       (packet_kind),
     .push_part_o       (packet_part),
     .push_ready_i      (packet_push_ready),
-    .ask_o             (ask),
-    .ask_slot_o        (ask_slot),
-    .ask_write_o       (ask_write),
-    .ask_extent_o      (ask_extent),
-    .ask_valid_i       (ask_valid),
-    .ask_allowed_i     (ask_allowed),
-    .ask_address_i     (ask_address),
+    .lookup_o          (lookup),
+    .lookup_slot_o     (lookup_slot),
+    .lookup_write_o    (lookup_write),
+    .lookup_extent_o   (lookup_extent),
+    .lookup_valid_i    (lookup_valid),
+    .lookup_allowed_i  (lookup_allowed),
+    .lookup_address_i  (lookup_address),
     .answer_words_o    (answer_words),
     .answer_short_i    (answer_short),
     .answer_reserve_o  (answer_reserve),
@@ -246,14 +246,14 @@ module command #(
     .slot_base_i  (slot_base_i),
     .slot_size_i  (slot_size_i),
     .slot_rights_i(slot_rights_i),
-    .ask_i        (ask),
-    .slot_i       (ask_slot),
-    .write_i      (ask_write),
+    .lookup_i     (lookup),
+    .slot_i       (lookup_slot),
+    .write_i      (lookup_write),
     .offset_i     (word),
-    .extent_i     (ask_extent),
-    .valid_o      (ask_valid),
-    .allowed_o    (ask_allowed),
-    .address_o    (ask_address)
+    .extent_i     (lookup_extent),
+    .valid_o      (lookup_valid),
+    .allowed_o    (lookup_allowed),
+    .address_o    (lookup_address)
   );
 
   command_answer #(

@@ -79,7 +79,7 @@ module command_align #(
     logic [LaneBits-1:0]   skip_q;  // words of it that were taken
     logic [CountBits-1:0]  first_words, some;
     logic [LaneBits:0]     skip_sum;
-    logic                  spent, wanted;
+    logic                  spent, needed;
 
     assign first_words = full_q ? CountBits'(Lanes) - CountBits'(skip_q) : '0;
     assign some = full_q && beat_valid ? CountBits'(Lanes) : first_words;
@@ -88,8 +88,8 @@ module command_align #(
 
     assign skip_sum = {1'b0, skip_q} + (LaneBits+1)'(take_i);
     assign spent = skip_sum[LaneBits];
-    assign wanted = ample_q || few_q > (CountBits+2)'(first_words);
-    assign beat_ready = wanted && (!full_q || spent);
+    assign needed = ample_q || few_q > (CountBits+2)'(first_words);
+    assign beat_ready = needed && (!full_q || spent);
 
     always_ff @(posedge clk_i) begin
       if (beat_ready) first_q <= beat;

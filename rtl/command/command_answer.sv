@@ -37,7 +37,7 @@ module command_answer #(
   localparam int unsigned Count = PixelsPerClock < Words ? PixelsPerClock : Words;
 
   logic [31:0] room_q, used_q, triangles_q, tiles_q;
-  logic [16:0] reserved_q, wanted_q; // a tile's colour and depth, or 65535 words read
+  logic [16:0] reserved_q, requested_q; // a tile's colour and depth, or 65535 words read
   logic        short_q, commit_q, cancel_q, triangle_q, tile_q;
   gloss_pkg::work_counters_t work;
 
@@ -45,8 +45,8 @@ module command_answer #(
   assign used_o = used_q;
 
   always_ff @(posedge clk_i) begin
-    wanted_q <= reserved_q + {1'b0, words_i};
-    short_q <= {15'b0, wanted_q} > room_q;
+    requested_q <= reserved_q + {1'b0, words_i};
+    short_q <= {15'b0, requested_q} > room_q;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -65,7 +65,7 @@ module command_answer #(
       tiles_q <= '0;
     end else begin
       {commit_q, cancel_q, triangle_q, tile_q} <= {commit_i, cancel_i, triangle_i, tile_i};
-      if (reserve_i) reserved_q <= wanted_q;
+      if (reserve_i) reserved_q <= requested_q;
       if (commit_q) begin
         room_q <= room_q - {15'b0, reserved_q};
         used_q <= used_q + {15'b0, reserved_q};

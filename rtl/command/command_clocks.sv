@@ -18,10 +18,10 @@ module command_clocks (
   localparam int unsigned Counters = 6;
 
   logic                   running_q;
-  logic [Counters-1:0]    event_now; // in the order of time_counters_t
+  logic [Counters-1:0]    count_en; // in the order of time_counters_t
   logic [32*Counters-1:0] count_q;
 
-  assign event_now = {stall_response_i, stall_memory_i, stall_tile_i, stall_raster_i,
+  assign count_en = {stall_response_i, stall_memory_i, stall_tile_i, stall_raster_i,
                       stall_stream_i, 1'b1};
   assign time_o = count_q;
 
@@ -35,7 +35,7 @@ module command_clocks (
     end else begin
       if (end_i) running_q <= 1'b0;
       for (int c = 0; c < Counters; c++)
-        if (running_q && event_now[c]) count_q[32*c +: 32] <= count_q[32*c +: 32] + 1'b1;
+        if (running_q && count_en[c]) count_q[32*c +: 32] <= count_q[32*c +: 32] + 1'b1;
     end
   end
 

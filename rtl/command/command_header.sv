@@ -17,12 +17,12 @@ module command_header (
   gloss_pkg::tile_end_header_t tile_end;
   // verilator lint_on UNUSEDSIGNAL
   logic [10:0] length, triangle_length;
-  logic        known, variable_ok;
+  logic        opcode_valid, variable_ok;
   logic [31:0] reserved;
   logic [10:0] words;       // payload of a packet of fixed length
   logic        is_fixed;
   logic        misplaced, bad_value, past_end;
-  logic        checked_q, unknown_q, bad_value_q, bad_length_q, misplaced_q;
+  logic        checked_q, bad_opcode_q, bad_value_q, bad_length_q, misplaced_q;
 
   assign triangle = header_i;
   assign tile_end = header_i;
@@ -46,7 +46,7 @@ module command_header (
   end
 
   always_comb begin
-    known = 1'b1;
+    opcode_valid = 1'b1;
     reserved = '0;
     words = '0;
     is_fixed = 1'b1;
@@ -114,14 +114,14 @@ module command_header (
         variable_ok = length == triangle_length;
         misplaced = !in_tile_i;
       end
-      default: known = 1'b0;
+      default: opcode_valid = 1'b0;
     endcase
   end
 
   assign past_end = left_i[31:11] == '0 && length >= left_i[10:0];
 
   always_ff @(posedge clk_i) begin
-    unknown_q <= !known;
+    bad_opcode_q <= !opcode_valid;
     bad_value_q <= (header_i & reserved) != '0 || bad_value;
     bad_length_q <= (is_fixed ? length != words : !variable_ok) || past_end;
     misplaced_q <= misplaced;
@@ -135,7 +135,7 @@ module command_header (
   always_comb begin
     fault_o = gloss_pkg::FAULT_NONE;
     if (checked_q) begin
-      if (unknown_q) fault_o = gloss_pkg::FAULT_OPCODE;
+      if (bad_opcode_q) fault_o = gloss_pkg::FAULT_OPCODE;
       else if (bad_value_q) fault_o = gloss_pkg::FAULT_VALUE;
       else if (bad_length_q) fault_o = gloss_pkg::FAULT_LENGTH;
       else if (misplaced_q) fault_o = gloss_pkg::FAULT_ORDER;

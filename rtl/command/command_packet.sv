@@ -32,13 +32,13 @@ module command_packet #(
   input  logic                      push_ready_i,
 
   // to command_slot
-  output logic                      ask_o,
-  output logic [3:0]                ask_slot_o,
-  output logic                      ask_write_o,
-  output logic [gloss_pkg::ExtentBits-1:0] ask_extent_o,
-  input  logic                      ask_valid_i,
-  input  logic                      ask_allowed_i,
-  input  logic [31:0]               ask_address_i,
+  output logic                      lookup_o,
+  output logic [3:0]                lookup_slot_o,
+  output logic                      lookup_write_o,
+  output logic [gloss_pkg::ExtentBits-1:0] lookup_extent_o,
+  input  logic                      lookup_valid_i,
+  input  logic                      lookup_allowed_i,
+  input  logic [31:0]               lookup_address_i,
 
   // to command_answer
   output logic [15:0]               answer_words_o,
@@ -71,11 +71,11 @@ module command_packet #(
 );
 
   typedef enum logic [3:0] {
-    Rest,
-    Settle,   // until everything before is finished
+    Idle,
+    WaitIdle, // until everything before is finished
     Fetch,    // a payload word,
-    Look,     // ask what the slot table says,
-    Judge,    // and with its answer all that can be wrong is known
+    Lookup,   // ask what the slot table says,
+    Verdict,  // and with its answer all that can be wrong is known
     State,    // hand on to the render queue
     Surface,
     Begin,
@@ -124,9 +124,9 @@ module command_packet #(
     .bad_value_o    (bad_value),
     .not_set_o      (not_set),
     .access_o       (access),
-    .slot_o         (ask_slot_o),
-    .write_o        (ask_write_o),
-    .extent_o       (ask_extent_o),
+    .slot_o         (lookup_slot_o),
+    .write_o        (lookup_write_o),
+    .extent_o       (lookup_extent_o),
     .answer_o       (answer_words_o)
   );
 
@@ -145,7 +145,7 @@ module command_packet #(
     fault = gloss_pkg::FAULT_NONE;
     if (bad_value_q) fault = gloss_pkg::FAULT_VALUE;
     else if (not_set_q) fault = gloss_pkg::FAULT_ORDER;
-    else if (access_q && !ask_allowed_i) fault = gloss_pkg::FAULT_SLOT;
+    else if (access_q && !lookup_allowed_i) fault = gloss_pkg::FAULT_SLOT;
     else if (answer_short_i) fault = gloss_pkg::FAULT_RESPONSE;
   end
 
@@ -157,37 +157,37 @@ module command_packet #(
     word_take_o = 1'b0;
     push_o = 1'b0;
     push_kind_o = gloss_pkg::RENDER_STATE;
-    ask_o = 1'b0;
+    lookup_o = 1'b0;
     answer_send_o = 1'b0;
     tile_begin_valid_o = 1'b0;
     tile_end_valid_o = 1'b0;
     copy_valid_o = 1'b0;
     copy_data_valid_o = 1'b0;
     unique case (state_q)
-      Rest: begin
+      Idle: begin
         if (drop_i) state_d = End;
         if (start_i) begin
           unique case (opcode)
             gloss_pkg::OP_WRITE_MEMORY, gloss_pkg::OP_READ_MEMORY, gloss_pkg::OP_COUNTERS:
-              state_d = Settle;
+              state_d = WaitIdle;
             gloss_pkg::OP_DEPTH_STATE, gloss_pkg::OP_COLOUR_MASK: state_d = State;
             default: state_d = Fetch;
           endcase
         end
       end
-      Settle:
+      WaitIdle:
         if (tile_idle_i && copy_idle_i)
-          state_d = opcode == gloss_pkg::OP_COUNTERS ? Look : Fetch;
+          state_d = opcode == gloss_pkg::OP_COUNTERS ? Lookup : Fetch;
       Fetch: begin
         word_take_o = word_valid_i;
-        if (word_valid_i) state_d = Look;
+        if (word_valid_i) state_d = Lookup;
       end
-      Look: begin
-        ask_o = 1'b1;
-        state_d = Judge;
+      Lookup: begin
+        lookup_o = 1'b1;
+        state_d = Verdict;
       end
-      Judge:
-        if (ask_valid_i) begin
+      Verdict:
+        if (lookup_valid_i) begin
           accept = fault == gloss_pkg::FAULT_NONE;
           refuse_o = !accept;
         end
@@ -226,17 +226,17 @@ module command_packet #(
         answer_send_o = 1'b1;
         done_o = answer_sent_i;
       end
-      default: state_d = Rest;
+      default: state_d = Idle;
     endcase
     if (accept) state_d = two_words && !second_q ? Fetch : act;
-    if (done_o || refuse_o) state_d = Rest;
+    if (done_o || refuse_o) state_d = Idle;
   end
 
   assign cause_o = fault;
   assign in_tile_o = in_tile_q;
   assign answer_reserve_o = accept;
   assign tile_ended_o = done_o && state_q == Close && !dropping_q;
-  assign operand = access_q ? ask_address_i : word_i;
+  assign operand = access_q ? lookup_address_i : word_i;
 
   always_comb begin
     unique case (opcode)
@@ -256,7 +256,7 @@ module command_packet #(
   assign copy_data_o = word_next_i;
 
   assign stall_stream_o = (state_q == Fetch || state_q == CopyData) && !word_valid_i;
-  assign stall_memory_o = state_q == Settle || (state_q == Begin && !copy_idle_i) ||
+  assign stall_memory_o = state_q == WaitIdle || (state_q == Begin && !copy_idle_i) ||
                           (state_q == Copy && !copy_ready_i) ||
                           (state_q == CopyData && word_valid_i && !copy_data_ready_i);
 
@@ -272,14 +272,14 @@ module command_packet #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Rest;
+      state_q <= Idle;
       second_q <= 1'b0;
       dropping_q <= 1'b0;
       in_tile_q <= 1'b0;
       {colour_slot_q, colour_pitch_q, depth_slot_q, depth_pitch_q} <= '0;
     end else begin
       state_q <= state_d;
-      if (state_q == Rest) begin
+      if (state_q == Idle) begin
         second_q <= 1'b0;
         dropping_q <= drop_i;
       end else if (accept) begin
@@ -303,7 +303,7 @@ module command_packet #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      header_holds: assert (state_q == Rest || $stable(header_i));
+      header_holds: assert (state_q == Idle || $stable(header_i));
     end
   end
 `endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The slot table and the check of an access against it: the only way from a stream's offsets to
-// addresses. A question is put with ask_i; its other inputs hold until the answer, which is valid_o
+// addresses. A lookup begins with lookup_i; its other inputs hold until its result, valid_o,
 // three clocks later. No sum here can overflow, but the address: whoever writes the table sees to
 // base + size <= 2^32.
 module command_slot (
@@ -15,7 +15,7 @@ module command_slot (
   input  logic [1:0]  slot_rights_i,
 
   // may bytes offset_i to offset_i + extent_i - 1 of the slot be read (written, with write_i)?
-  input  logic        ask_i,
+  input  logic        lookup_i,
   input  logic [3:0]  slot_i,
   input  logic        write_i,
   input  logic [31:0] offset_i,
@@ -32,7 +32,7 @@ module command_slot (
   logic [32:0] end_q;
   logic [31:0] address_q;
   logic        right_q, allowed_q;
-  logic [2:0]  asked_q;
+  logic [2:0]  lookup_q;
 
   ram_1r1w #(
     .Width($bits({slot_rights_i, slot_size_i, slot_base_i})),
@@ -42,12 +42,12 @@ module command_slot (
     .write_en_i  (slot_write_i),
     .write_addr_i(slot_index_i),
     .write_data_i({slot_rights_i, slot_size_i, slot_base_i}),
-    .read_en_i   (ask_i),
+    .read_en_i   (lookup_i),
     .read_addr_i (slot_i),
     .read_data_o ({rights, size, base})
   );
 
-  assign valid_o = asked_q[2];
+  assign valid_o = lookup_q[2];
   assign allowed_o = allowed_q;
   assign address_o = address_q;
 
@@ -60,16 +60,16 @@ module command_slot (
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) asked_q <= '0;
-    else asked_q <= {asked_q[1:0], ask_i};
+    if (!rst_ni) lookup_q <= '0;
+    else lookup_q <= {lookup_q[1:0], lookup_i};
   end
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      question_holds: assert (asked_q[1:0] == '0 || $stable({write_i, offset_i, extent_i}));
-      one_question: assert (asked_q == '0 || !ask_i);
-      table_holds: assert (!slot_write_i || !(ask_i || asked_q != '0));
+      lookup_holds: assert (lookup_q[1:0] == '0 || $stable({write_i, offset_i, extent_i}));
+      one_lookup: assert (lookup_q == '0 || !lookup_i);
+      table_holds: assert (!slot_write_i || !(lookup_i || lookup_q != '0));
     end
   end
 `endif

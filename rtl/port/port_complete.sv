@@ -42,7 +42,7 @@ module port_complete #(
 
   localparam int unsigned Beats = gloss_pkg::COMPLETION_BITS / StreamBits;
 
-  typedef enum logic [2:0] {Rest, Flush, Drop, Address, Data, Answer} state_e;
+  typedef enum logic [2:0] {Idle, Flush, Drop, Address, Data, Answer} state_e;
 
   state_e state_d, state_q;
   gloss_pkg::completion_t record;
@@ -66,19 +66,19 @@ module port_complete #(
   always_comb begin
     state_d = state_q;
     unique case (state_q)
-      Rest: if (status_valid_i) state_d = Flush;
+      Idle: if (status_valid_i) state_d = Flush;
       Flush: if (written_i && !pending_i) state_d = Drop;
       Drop: if (list_empty_i) state_d = Address;
       Address: if (address_ready_i) state_d = Data;
       Data: if (data_ready_i && last_beat) state_d = Answer;
-      Answer: if (done_o) state_d = Rest;
-      default: state_d = Rest;
+      Answer: if (done_o) state_d = Idle;
+      default: state_d = Idle;
     endcase
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Rest;
+      state_q <= Idle;
       beat_q <= '0;
     end else begin
       state_q <= state_d;

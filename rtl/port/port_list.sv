@@ -11,10 +11,10 @@ module port_list #(
   input  logic                  start_i,    // only when idle
   input  logic [63:3]           list_i,
   input  logic [31:0]           words_i,    // in its pages
-  input  logic                  wanted_i,   // hold back while nobody has use for pages
+  input  logic                  request_i,  // hold back while nobody has use for pages
   input  logic                  stop_i,     // read no more, drop what is here
   output logic                  idle_o,     // all is read
-  output logic                  quiet_o,    // nothing is being read or asked for
+  output logic                  drained_o,  // nothing is being read or requested
   output logic                  empty_o,    // idle, and all pages were taken
 
   // host reads
@@ -32,14 +32,14 @@ module port_list #(
 
   logic [22:0] left_q;  // entries not asked for
   logic [63:3] address_q;
-  logic asked_q, room;
+  logic outstanding_q, room;
   logic [63:12] entry;
   logic pages_valid;
 
-  assign read_valid_o = left_q != '0 && wanted_i && !asked_q && room && !stop_i;
+  assign read_valid_o = left_q != '0 && request_i && !outstanding_q && room && !stop_i;
   assign read_address_o = StreamBits == 128 ? {address_q[63:4], 1'b0} : address_q;
-  assign idle_o = left_q == '0 && !asked_q;
-  assign quiet_o = !asked_q && !read_valid_o;
+  assign idle_o = left_q == '0 && !outstanding_q;
+  assign drained_o = !outstanding_q && !read_valid_o;
   assign empty_o = idle_o && !pages_valid;
 
   // The low bits of an entry are no part of the page's address.
@@ -82,13 +82,13 @@ module port_list #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       left_q <= '0;
-      asked_q <= 1'b0;
+      outstanding_q <= 1'b0;
     end else begin
       if (start_i) left_q <= {1'b0, words_i[31:10]} + 23'(words_i[9:0] != '0);
       else if (stop_i) left_q <= '0;
       else if (read_valid_o && read_ready_i) left_q <= left_q - 1'b1;
-      if (read_valid_o && read_ready_i) asked_q <= 1'b1;
-      else if (beat_valid_i && beat_last_i) asked_q <= 1'b0;
+      if (read_valid_o && read_ready_i) outstanding_q <= 1'b1;
+      else if (beat_valid_i && beat_last_i) outstanding_q <= 1'b0;
     end
   end
 
@@ -97,7 +97,7 @@ module port_list #(
     if (rst_ni) begin
       start_when_idle: assert (!start_i || idle_o);
       entry_has_room: assert (!(beat_valid_i && beat_last_i) || room);
-      beats_asked_for: assert (!beat_valid_i || asked_q);
+      beats_asked_for: assert (!beat_valid_i || outstanding_q);
     end
   end
 `endif

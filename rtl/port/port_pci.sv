@@ -113,7 +113,7 @@ module port_pci #(
   // reset and errors
   logic reset, resetting, reset_stop, core_rst_n;
   logic gate_stopped, gate_idle;
-  logic read_ahead_error, read_now_error, failed, error_stop, dma_error, dma_event;
+  logic read_ahead_error, read_current_error, failed, error_stop, dma_error, dma_event;
   logic [63:0] read_error_address, write_error_address, dma_address;
   logic [31:0] dma_sequence;
   logic write_error;
@@ -132,12 +132,12 @@ module port_pci #(
   // verilator lint_off UNUSEDSIGNAL
   gloss_pkg::job_descriptor_t job;
   // verilator lint_on UNUSEDSIGNAL
-  logic ring_quiet, known, listed, load, loaded, list_start, start, copied, current, done;
+  logic ring_idle, next_valid, listed, load, loaded, list_start, start, copied, current, done;
   logic [7:0] entry;
-  logic [31:0] sequence_now;
+  logic [31:0] current_sequence;
 
   // lists
-  logic stream_list_idle, stream_list_quiet, response_list_stop, response_list_empty;
+  logic stream_list_idle, stream_list_drained, response_list_stop, response_list_empty;
   logic stream_page_valid, stream_page_ready, response_page_valid, response_page_ready;
   logic [63:12] stream_page, response_page;
 
@@ -174,7 +174,7 @@ module port_pci #(
   assign memory_stop_o = reset_stop;
   assign job_stream_words_o = job.stream_words;
   assign job_response_words_o = job.response_words;
-  assign idle = ring_quiet && gate_idle && !error_stop;
+  assign idle = ring_idle && gate_idle && !error_stop;
 
   port_reset u_reset (
     .clk_i    (clk_i),
@@ -215,7 +215,7 @@ module port_pci #(
     .lost_i          (1'b0),
     .done_i          (done),
     .status_i        (status_i),
-    .sequence_i      (sequence_now),
+    .sequence_i      (current_sequence),
     .time_i          (time_i),
     .fault_o         (fault),
     .stream_taken_i  (stream_taken),
@@ -258,7 +258,7 @@ module port_pci #(
     .ring_log2_i   (ring_log2),
     .tail_i        (tail),
     .head_o        (head),
-    .quiet_o       (ring_quiet),
+    .idle_o        (ring_idle),
     .read_valid_o  (read_valid[Ring]),
     .read_ready_i  (read_ready[Ring]),
     .read_address_o(read_address[64*Ring+6 +: 58]),
@@ -267,20 +267,20 @@ module port_pci #(
     .beat_data_i   (beat_data),
     .job_o         (job),
     .failed_i      (failed),
-    .known_o       (known),
+    .next_valid_o  (next_valid),
     .listed_o      (listed),
     .load_o        (load),
     .loaded_i      (loaded),
     .list_o        (list_start),
     .list_idle_i   (stream_list_idle),
-    .list_quiet_i  (stream_list_quiet),
+    .list_drained_i(stream_list_drained),
     .start_o       (start),
     .copied_i      (copied),
     .job_valid_o   (job_valid_o),
     .job_ready_i   (job_ready_i),
     .current_o     (current),
     .entry_o       (entry),
-    .sequence_o    (sequence_now),
+    .sequence_o    (current_sequence),
     .done_i        (done)
   );
   assign read_address[64*Ring +: 6] = '0;
@@ -318,10 +318,10 @@ module port_pci #(
     .start_i       (list_start),
     .list_i        ({job.stream_list_high, job.stream_list_low[31:3]}),
     .words_i       (job.stream_words),
-    .wanted_i      (1'b1),
+    .request_i     (1'b1),
     .stop_i        (1'b0),
     .idle_o        (stream_list_idle),
-    .quiet_o       (stream_list_quiet),
+    .drained_o     (stream_list_drained),
     /* verilator lint_off PINCONNECTEMPTY */
     .empty_o       (), // a stream takes all of its pages
     /* verilator lint_on PINCONNECTEMPTY */
@@ -346,11 +346,11 @@ module port_pci #(
     .start_i       (start),
     .list_i        ({job.response_list_high, job.response_list_low[31:3]}),
     .words_i       (job.response_words),
-    .wanted_i      (response_valid_i || !written),
+    .request_i     (response_valid_i || !written),
     .stop_i        (response_list_stop),
     /* verilator lint_off PINCONNECTEMPTY */
     .idle_o        (),
-    .quiet_o       (), // empty says more, and it is never read ahead
+    .drained_o     (), // empty says more, and it is never read ahead
     /* verilator lint_on PINCONNECTEMPTY */
     .empty_o       (response_list_empty),
     .read_valid_o  (read_valid[ResponseList]),
@@ -451,7 +451,7 @@ module port_pci #(
     .status_i       (status_i),
     .records_i      (records),
     .entry_i        (entry),
-    .sequence_i     (sequence_now),
+    .sequence_i     (current_sequence),
     .done_o         (done),
     .stop_i         (error_stop),
     .flush_o        (flush),
@@ -507,24 +507,24 @@ module port_pci #(
   );
 
   assign read_ahead_error = read_error[Ring] || read_error[SlotTable];
-  assign read_now_error = read_error[ResponseList] || read_error[Stream];
+  assign read_current_error = read_error[ResponseList] || read_error[Stream];
 
   port_error u_error (
     .clk_i          (clk_i),
     .rst_ni         (core_rst_n),
     .ahead_i        (read_ahead_error),
     .list_i         (read_error[StreamList]),
-    .now_i          (read_now_error || write_error),
+    .current_error_i(read_current_error || write_error),
     .address_i      (write_error ? write_error_address : read_error_address),
     .current_i      (current),
     .listed_i       (listed),
-    .known_i        (known),
-    .sequence_i     (sequence_now),
+    .next_valid_i   (next_valid),
+    .sequence_i     (current_sequence),
     .next_sequence_i(job.sequence_),
     .failed_o       (failed),
     .stop_o         (error_stop),
     .idle_i         (gate_idle),
-    .told_o         (dma_error),
+    .reported_o     (dma_error),
     .event_o        (dma_event),
     .address_o      (dma_address),
     .sequence_o     (dma_sequence)

@@ -39,19 +39,19 @@ module port_read #(
   localparam int unsigned Room = 256;
   localparam int unsigned RoomBits = $clog2(Room) + 1;
 
-  logic [31:0] unasked_q, untaken_q;  // words
+  logic [31:0] unrequested_q, untaken_q;  // words
   logic [3:0] burst_q;                // in the page
   logic [RoomBits-1:0] room_q;        // beats not asked for
-  logic last_burst, ask, give;
+  logic last_burst, request, give;
   logic [BurstBits-1:0] length;
 
-  assign last_burst = unasked_q <= BurstWords;
-  assign length = last_burst ? BurstBits'((unasked_q[6:0] - 7'd1) >> LaneBits) : '1;
-  assign read_valid_o = unasked_q != '0 && page_valid_i && room_q[RoomBits-1:BurstBits] != '0;
+  assign last_burst = unrequested_q <= BurstWords;
+  assign length = last_burst ? BurstBits'((unrequested_q[6:0] - 7'd1) >> LaneBits) : '1;
+  assign read_valid_o = unrequested_q != '0 && page_valid_i && room_q[RoomBits-1:BurstBits] != '0;
   assign read_address_o = {page_i, burst_q};
   assign read_length_o = 8'(length);
-  assign ask = read_valid_o && read_ready_i;
-  assign page_ready_o = ask && (last_burst || burst_q == '1);
+  assign request = read_valid_o && read_ready_i;
+  assign page_ready_o = request && (last_burst || burst_q == '1);
 
   assign give = stream_valid_o && stream_ready_i;
   always_comb begin
@@ -77,17 +77,17 @@ module port_read #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      unasked_q <= '0;
+      unrequested_q <= '0;
       untaken_q <= '0;
       burst_q <= '0;
       room_q <= RoomBits'(Room);
     end else begin
-      if (start_i) unasked_q <= words_i;
-      else if (ask) unasked_q <= last_burst ? '0 : unasked_q - BurstWords;
+      if (start_i) unrequested_q <= words_i;
+      else if (request) unrequested_q <= last_burst ? '0 : unrequested_q - BurstWords;
       if (start_i) untaken_q <= words_i;
       else untaken_q <= untaken_q - 32'(taken_o);
-      if (ask) burst_q <= page_ready_o ? '0 : burst_q + 1'b1;
-      room_q <= room_q - (ask ? RoomBits'(length) + 1'b1 : '0) + RoomBits'(give);
+      if (request) burst_q <= page_ready_o ? '0 : burst_q + 1'b1;
+      room_q <= room_q - (request ? RoomBits'(length) + 1'b1 : '0) + RoomBits'(give);
     end
   end
 

@@ -15,7 +15,7 @@ module port_ring #(
   input  logic [3:0]                   ring_log2_i,
   input  logic [15:0]                  tail_i,
   output logic [15:0]                  head_o,
-  output logic                         quiet_o,        // nothing begins until a register is written
+  output logic                         idle_o,        // nothing begins until a register is written
 
   // host reads: descriptors
   output logic                         read_valid_o,
@@ -31,13 +31,13 @@ module port_ring #(
   output gloss_pkg::job_descriptor_t   job_o,
   // verilator lint_on UNUSEDSIGNAL
   input  logic                         failed_i,       // the host refused some of it
-  output logic                         known_o,        // its descriptor is here
+  output logic                         next_valid_o,   // its descriptor is here
   output logic                         listed_o,       // the stream's list is read for it
   output logic                         load_o,         // its slot table
   input  logic                         loaded_i,
   output logic                         list_o,         // begin the stream's list
   input  logic                         list_idle_i,
-  input  logic                         list_quiet_i,
+  input  logic                         list_drained_i,
 
   // start: the stream and the response's list begin, the slots are copied, the core gets it
   output logic                         start_o,
@@ -56,31 +56,31 @@ module port_ring #(
   localparam int unsigned BeatBits = $clog2(gloss_pkg::JOB_DESCRIPTOR_BITS / StreamBits);
   localparam int unsigned EntryBits = gloss_pkg::RingMaxLog2;
 
-  typedef enum logic [2:0] {Rest, Ask, Descriptor, Load, List, Ready, Copy, Offer} state_e;
+  typedef enum logic [2:0] {Idle, Request, Descriptor, Load, List, Ready, Copy, Offer} state_e;
 
   state_e state_d, state_q;
-  logic [15:0] asked_q, head_q;   // jobs whose descriptor was asked for; that have ended
+  logic [15:0] requested_q, head_q;   // jobs whose descriptor was requested; that have ended
   logic current_q;
   logic [31:0] sequence_q;
   logic [BeatBits-1:0] beat_q;
   logic [511:0] descriptor;
-  logic [EntryBits-1:0] mask, ask_entry;
+  logic [EntryBits-1:0] mask, request_entry;
 
   assign head_o = head_q;
   assign current_o = current_q;
   assign entry_o = head_q[EntryBits-1:0] & mask;
   assign sequence_o = sequence_q;
   assign job_o = descriptor;
-  assign known_o = state_q == List || state_q == Ready;
+  assign next_valid_o = state_q == List || state_q == Ready;
   assign listed_o = state_q == Ready;
-  assign quiet_o = !current_q && ((state_q == Rest && (!enable_i || asked_q == tail_i)) ||
-                                  (state_q == Ready && !enable_i && loaded_i && list_quiet_i));
+  assign idle_o = !current_q && ((state_q == Idle && (!enable_i || requested_q == tail_i)) ||
+                                  (state_q == Ready && !enable_i && loaded_i && list_drained_i));
 
   // More than RingMaxLog2 is the same as that.
   assign mask = ~({EntryBits{1'b1}} << ring_log2_i);
-  assign read_valid_o = state_q == Ask;
-  assign ask_entry = asked_q[EntryBits-1:0] & mask;
-  assign read_address_o = ring_i + 58'(ask_entry);
+  assign read_valid_o = state_q == Request;
+  assign request_entry = requested_q[EntryBits-1:0] & mask;
+  assign read_address_o = ring_i + 58'(request_entry);
 
   assign load_o = state_q == Load && !failed_i;
   assign list_o = state_q == List && list_idle_i && !failed_i;
@@ -90,15 +90,15 @@ module port_ring #(
   always_comb begin
     state_d = state_q;
     unique case (state_q)
-      Rest: if (enable_i && asked_q != tail_i) state_d = Ask;
-      Ask: if (read_ready_i) state_d = Descriptor;
+      Idle: if (enable_i && requested_q != tail_i) state_d = Request;
+      Request: if (read_ready_i) state_d = Descriptor;
       Descriptor: if (beat_valid_i && beat_last_i) state_d = Load;
       Load: if (load_o) state_d = List;
       List: if (list_o) state_d = Ready;
       Ready: if (start_o) state_d = Copy;
       Copy: if (copied_i) state_d = Offer;
-      Offer: if (job_ready_i) state_d = Rest;
-      default: state_d = Rest;
+      Offer: if (job_ready_i) state_d = Idle;
+      default: state_d = Idle;
     endcase
   end
 
@@ -120,14 +120,14 @@ module port_ring #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Rest;
-      asked_q <= '0;
+      state_q <= Idle;
+      requested_q <= '0;
       head_q <= '0;
       current_q <= 1'b0;
       beat_q <= '0;
     end else begin
       state_q <= state_d;
-      if (read_valid_o && read_ready_i) asked_q <= asked_q + 1'b1;
+      if (read_valid_o && read_ready_i) requested_q <= requested_q + 1'b1;
       if (done_i) head_q <= head_q + 1'b1;
       current_q <= start_o || (current_q && !done_i);
       if (beat_valid_i) beat_q <= beat_q + 1'b1;

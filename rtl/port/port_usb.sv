@@ -92,7 +92,7 @@ module port_usb #(
   // registers
   logic reg_write, idle, running, lost, lost_event, done, fault;
   logic [15:0] reg_address;
-  logic [31:0] nonce_q, boot_q, own, sequence_now;
+  logic [31:0] nonce_q, boot_q, own, current_sequence;
   logic [2:0] stream_taken;
   logic [3:0] response_taken;
 
@@ -148,7 +148,7 @@ module port_usb #(
     .lost_i          (lost),
     .done_i          (done),
     .status_i        (status_i),
-    .sequence_i      (sequence_now),
+    .sequence_i      (current_sequence),
     .time_i          (time_i),
     .fault_o         (fault),
     .stream_taken_i  (stream_taken),
@@ -210,7 +210,7 @@ module port_usb #(
     .echo_o              (echo),
     .sync_o              (sync),
     .echoed_i            (echoed),
-    .sequence_o          (sequence_now),
+    .sequence_o          (current_sequence),
     .checked_o           (checked),
     .completed_i         (completed),
     .slot_write_o        (slot_write_o),
@@ -239,7 +239,7 @@ module port_usb #(
     .echo_i          (echo),
     .sync_i          (sync),
     .echoed_o        (echoed),
-    .sequence_i      (sequence_now),
+    .sequence_i      (current_sequence),
     .running_i       (running),
     .checked_i       (checked),
     .completed_o     (completed),
@@ -271,7 +271,7 @@ module port_usb #(
     .rst_ni (core_rst_n),
     .valid_i(fault || lost_event),
     .ready_o(unused),
-    .data_i (fault ? {1'b0, status_i.cause, sequence_now} : {1'b1, 4'd0, 32'd0}),
+    .data_i (fault ? {1'b0, status_i.cause, current_sequence} : {1'b1, 4'd0, 32'd0}),
     .valid_o(event_valid),
     .ready_i(event_ready_i && !resetting),
     .data_o ({event_lost, event_cause, event_sequence})

@@ -45,7 +45,7 @@ module port_usb_in #(
   localparam int unsigned HaveBits = $clog2(Depth) + 1;
   localparam int unsigned CountBits = $clog2(gloss_pkg::UsbChunkWords) + 1;
 
-  typedef enum logic [2:0] {Rest, Header, Words, Completion, Settle, Checksum, Echo} state_e;
+  typedef enum logic [2:0] {Idle, Header, Words, Completion, Sum, Checksum, Echo} state_e;
 
   state_e state_d, state_q;
   logic give;
@@ -66,7 +66,7 @@ module port_usb_in #(
   logic message_ends;
   logic [31:0] given_q, sum_q;
   logic sum_given_q;
-  logic ended, ended_q, told_q;
+  logic ended, ended_q, reported_q;
 
   // ---- response ----
   port_pack #(
@@ -110,7 +110,7 @@ module port_usb_in #(
   assign ended = status_valid_i && checked_i;
   assign last = ended && pack_empty;
   assign count = full ? CountBits'(gloss_pkg::UsbChunkWords) : CountBits'(have_q);
-  assign begin_chunk = state_q == Rest && (full || (last && have_q != '0));
+  assign begin_chunk = state_q == Idle && (full || (last && have_q != '0));
 
   // ---- messages ----
   assign header = {16'(gloss_pkg::UsbResponseMagic), 16'(count_q)};
@@ -120,7 +120,7 @@ module port_usb_in #(
   assign message_ends = give && place_q == '1;
 
   assign give = word_valid_o && word_ready_i;
-  assign word_valid_o = state_q == Words ? fifo_valid : state_q != Rest && state_q != Settle;
+  assign word_valid_o = state_q == Words ? fifo_valid : state_q != Idle && state_q != Sum;
   assign word_flush_o = state_q == Checksum || (state_q == Echo && place_q == '1);
   assign fifo_ready = state_q == Words && word_ready_i;
 
@@ -128,7 +128,7 @@ module port_usb_in #(
   assign completed_o = state_q == Checksum && give;
   assign status_ready_o = completed_o;
   // A clock after the status, when the core's counters of time hold.
-  assign done_o = ended_q && !told_q;
+  assign done_o = ended_q && !reported_q;
 
   always_comb begin
     unique case (state_q)
@@ -142,18 +142,18 @@ module port_usb_in #(
   always_comb begin
     state_d = state_q;
     unique case (state_q)
-      Rest: begin
+      Idle: begin
         if (begin_chunk) state_d = Header;
         else if (last) state_d = Completion;
         else if (echo_i) state_d = Echo;
       end
       Header: if (give) state_d = Words;
-      Words: if (give && count_q == CountBits'(1)) state_d = Rest;
-      Completion: if (message_ends) state_d = Settle;
-      Settle: state_d = Checksum; // the last word is added
-      Checksum: if (give) state_d = Rest;
-      Echo: if (message_ends) state_d = Rest;
-      default: state_d = Rest;
+      Words: if (give && count_q == CountBits'(1)) state_d = Idle;
+      Completion: if (message_ends) state_d = Sum;
+      Sum: state_d = Checksum; // the last word is added
+      Checksum: if (give) state_d = Idle;
+      Echo: if (message_ends) state_d = Idle;
+      default: state_d = Idle;
     endcase
   end
 
@@ -168,18 +168,18 @@ module port_usb_in #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Rest;
+      state_q <= Idle;
       have_q <= '0;
       place_q <= '0;
       ended_q <= 1'b0;
-      told_q <= 1'b0;
+      reported_q <= 1'b0;
     end else begin
       state_q <= state_d;
       have_q <= have_q + HaveBits'(push) - (begin_chunk ? HaveBits'(count) : '0);
-      if (state_q == Rest) place_q <= '0;
+      if (state_q == Idle) place_q <= '0;
       else if (give) place_q <= place_q + 1'b1;
       ended_q <= ended && !completed_o;
-      told_q <= ended_q;
+      reported_q <= ended_q;
     end
   end
 

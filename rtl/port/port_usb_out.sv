@@ -52,7 +52,7 @@ module port_usb_out #(
 
   localparam int unsigned Lanes = StreamBits / 32;
 
-  typedef enum logic [2:0] {Search, Echo, Rest, Head, Slots, Start, Run, Lost} state_e;
+  typedef enum logic [2:0] {Search, Echo, Idle, Head, Slots, Start, Run, Lost} state_e;
 
   state_e state_d, state_q;
   logic take, shift;
@@ -126,7 +126,7 @@ module port_usb_out #(
   assign checked_o = right_q;
   assign wrong = ended_q && !right_q && job_ended_i;
 
-  assign idle_o = state_q == Search || state_q == Lost || (state_q == Rest && !word_valid_i);
+  assign idle_o = state_q == Search || state_q == Lost || (state_q == Idle && !word_valid_i);
   assign running_o = state_q == Run;
   assign lost_o = state_q == Lost;
   assign lost_event_o = (state_q == Head && head_wrong_q) || (state_q == Run && wrong);
@@ -139,8 +139,8 @@ module port_usb_out #(
         word_ready_o = !synchronised_q;
         if (synchronised_q) state_d = Echo;
       end
-      Echo: if (echoed_i) state_d = Rest;
-      Rest: begin
+      Echo: if (echoed_i) state_d = Idle;
+      Idle: begin
         word_ready_o = 1'b1;
         if (word_valid_i) state_d = Head;
       end
@@ -157,7 +157,7 @@ module port_usb_out #(
       Run: begin
         word_ready_o = more_q ? move : !ended_q;
         if (wrong) state_d = Lost;
-        else if (completed_i) state_d = Rest;
+        else if (completed_i) state_d = Idle;
       end
       Lost: word_ready_o = 1'b1;
       default: state_d = Search;
@@ -165,7 +165,7 @@ module port_usb_out #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (state_q == Rest) slots_q <= head.slots;
+    if (state_q == Idle) slots_q <= head.slots;
     // The last time it is with the fourth word before it.
     if (state_q == Head) begin
       sequence_q <= window_q[95:64];
@@ -178,7 +178,7 @@ module port_usb_out #(
     end
     if (shift) words_q <= (lane == '0 ? '0 : words_q) + 3'(!pad);
     // From the third word on.
-    if (state_q == Rest || (state_q == Head && !place_q[1])) sum_q <= '0;
+    if (state_q == Idle || (state_q == Head && !place_q[1])) sum_q <= '0;
     else if (take) sum_q <= {sum_q[30:0], sum_q[31]} + word_i;
     slot_sent_q <= slot_sent;
   end
@@ -198,11 +198,11 @@ module port_usb_out #(
     end else begin
       state_q <= state_d;
       if (shift) window_q <= {word_i, window_q[127:32]};
-      head_wrong_q <= state_q == Rest && take && !head_right;
+      head_wrong_q <= state_q == Idle && take && !head_right;
       synchronised_q <= take && nonce_i != '0 &&
                         {word_i, window_q[127:32]} ==
                         {~gloss_pkg::UsbSyncMagic, ~nonce_i, nonce_i, gloss_pkg::UsbSyncMagic};
-      if (state_q == Rest) place_q <= 2'(take);
+      if (state_q == Idle) place_q <= 2'(take);
       else if (shift) place_q <= place_q + 1'b1;
       if (state_q == Head) index_q <= '0;
       else if (slot_next) index_q <= index_q + 1'b1;

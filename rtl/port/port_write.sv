@@ -39,7 +39,7 @@ module port_write #(
   localparam int unsigned BurstBeats = 64 / Lanes;
   localparam int unsigned BurstBits = $clog2(BurstBeats);
 
-  typedef enum logic [1:0] {Rest, Address, Data} state_e;
+  typedef enum logic [1:0] {Idle, Address, Data} state_e;
 
   state_e state_d, state_q;
   logic packed_valid, packed_ready, pack_empty, push;
@@ -88,8 +88,8 @@ module port_write #(
 
   assign burst_full = have_q[BurstBits+1:BurstBits] != '0;
   assign burst_short = flush_i && pack_empty && have_q != '0;
-  assign begin_burst = state_q == Rest && page_valid_i && (burst_full || burst_short);
-  assign empty_o = state_q == Rest && pack_empty && have_q == '0;
+  assign begin_burst = state_q == Idle && page_valid_i && (burst_full || burst_short);
+  assign empty_o = state_q == Idle && pack_empty && have_q == '0;
 
   assign address_valid_o = state_q == Address;
   assign address_o = {page_i, burst_q};
@@ -108,10 +108,10 @@ module port_write #(
   always_comb begin
     state_d = state_q;
     unique case (state_q)
-      Rest: if (begin_burst) state_d = Address;
+      Idle: if (begin_burst) state_d = Address;
       Address: if (address_ready_i) state_d = Data;
-      Data: if (last_beat) state_d = Rest;
-      default: state_d = Rest;
+      Data: if (last_beat) state_d = Idle;
+      default: state_d = Idle;
     endcase
   end
 
@@ -128,7 +128,7 @@ module port_write #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q <= Rest;
+      state_q <= Idle;
       have_q <= '0;
       burst_q <= '0;
     end else begin

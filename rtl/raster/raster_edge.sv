@@ -13,7 +13,7 @@ module raster_edge (
   input  logic                   take_r_i,   // take r, m and dy
   input  logic                   step_r_i,   // or step r
   input  logic                   take_x_i,   // take x and step
-  input  logic                   step_x_i,   // or step x, as the step of r before told
+  input  logic                   step_x_i,   // or step x, by the carry of the step of r before
 
   // from raster_load
   input  gloss_pkg::edge_line_t  line_i,

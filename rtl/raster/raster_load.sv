@@ -32,7 +32,7 @@ module raster_load #(
   output logic [RowBits-1:0]      last_row_o,
   output logic [5:0]              switch_row_o,
   output logic                    side_o,
-  output gloss_pkg::clip_t        clip_o,
+  output gloss_pkg::scissor_rect_t scissor_o,
 
   // to raster_row
   output logic                    row_valid_o,
@@ -119,7 +119,7 @@ module raster_load #(
   gloss_pkg::colour_mask_header_t colour_mask;
   gloss_pkg::scissor_t            scissor;
   gloss_pkg::pixel_state_t        state_q;
-  gloss_pkg::clip_t               clip_q;
+  gloss_pkg::scissor_rect_t               scissor_q;
   logic                           is_end_q;
   logic                           unused_state;
 
@@ -140,13 +140,13 @@ module raster_load #(
                                   colour_mask.red};
         end
         gloss_pkg::STATE_SCISSOR: begin
-          clip_q <= {scissor.y1, scissor.x1, scissor.y0, scissor.x0};
+          scissor_q <= {scissor.y1, scissor.x1, scissor.y0, scissor.x0};
         end
         default: begin
           state_q.depth_func <= gloss_pkg::COMPARE_ALWAYS;
           state_q.depth_write <= 1'b0;
           state_q.colour_mask <= '1;
-          clip_q <= {7'(TileSize), 7'(TileSize), 14'd0};
+          scissor_q <= {7'(TileSize), 7'(TileSize), 14'd0};
         end
       endcase
     end
@@ -157,7 +157,7 @@ module raster_load #(
   end
 
   assign state_o = state_q;
-  assign clip_o = clip_q;
+  assign scissor_o = scissor_q;
   assign end_o = is_end_q;
 
   // ---- header ----

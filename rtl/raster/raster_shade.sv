@@ -49,7 +49,7 @@ module raster_shade #(
   logic [2:0]              anchor;
   logic [31:0]             alpha, alpha_dx, alpha_dy;
   gloss_pkg::edge_line_t   left, right, middle;
-  gloss_pkg::clip_t        clip;
+  gloss_pkg::scissor_rect_t        scissor;
   gloss_pkg::pixel_state_t state;
   gloss_pkg::surface_t     red, green, blue;
   gloss_pkg::depth_plane_t depth;
@@ -76,7 +76,7 @@ module raster_shade #(
     .last_row_o  (last_row),
     .switch_row_o(switch_row),
     .side_o      (side),
-    .clip_o      (clip),
+    .scissor_o   (scissor),
     .row_valid_o (row_valid),
     .row_take_i  (row_take),
     .end_o       (row_end),
@@ -116,7 +116,7 @@ module raster_shade #(
     .last_row_i  (last_row),
     .switch_row_i(switch_row),
     .side_i      (side),
-    .clip_i      (clip),
+    .scissor_i   (scissor),
     .span_valid_o(span_valid),
     .span_ready_i(span_ready),
     .span_last_o (span_last),

@@ -26,7 +26,7 @@ module raster_walk #(
   input  logic [RowBits-1:0]    last_row_i,
   input  logic [5:0]            switch_row_i,
   input  logic                  side_i,
-  input  gloss_pkg::clip_t      clip_i,
+  input  gloss_pkg::scissor_rect_t scissor_i,
 
   // to raster_row
   output logic                  span_valid_o,
@@ -51,7 +51,7 @@ module raster_walk #(
   logic [5:0] switch_count_q;
   logic [RowBits-1:0] row_q, rows_left_q;
 
-  gloss_pkg::clip_t      clip_q;
+  gloss_pkg::scissor_rect_t      scissor_q;
   gloss_pkg::edge_line_t middle_q;
 
   logic edge_valid_q, column_valid_q; // the 2nd and 3rd stage hold a row
@@ -69,7 +69,7 @@ module raster_walk #(
       middle_q <= middle_i;
       covering_q <= covering_i;
       side_q <= side_i;
-      clip_q <= clip_i;
+      scissor_q <= scissor_i;
       row_q <= first_row_i;
       rows_left_q <= last_row_i;
       switch_count_q <= switch_row_i;
@@ -147,7 +147,7 @@ module raster_walk #(
   always_ff @(posedge clk_i) begin
     if (advance) begin
       edge_last_q <= rows_left_q == '0;
-      edge_inside_q <= 7'(row_q) >= clip_q.y0 && 7'(row_q) < clip_q.y1;
+      edge_inside_q <= 7'(row_q) >= scissor_q.y0 && 7'(row_q) < scissor_q.y1;
 
       column_last_q <= edge_last_q;
       column_inside_q <= edge_inside_q;
@@ -156,8 +156,8 @@ module raster_walk #(
 
       clip_last_q <= column_last_q;
       clip_inside_q <= column_inside_q;
-      clip_low_q <= column_left_q > clip_q.x0 ? column_left_q : clip_q.x0;
-      clip_high_q <= column_right_q < clip_q.x1 ? column_right_q : clip_q.x1;
+      clip_low_q <= column_left_q > scissor_q.x0 ? column_left_q : scissor_q.x0;
+      clip_high_q <= column_right_q < scissor_q.x1 ? column_right_q : scissor_q.x1;
     end
   end
 

@@ -113,7 +113,7 @@ module tile #(
   // tile_store
   logic store_read_en, store_done, store_bank;
   logic [RowBits-1:0] store_row;
-  logic colour_reads, colour_gone, depth_reads, depth_gone;
+  logic colour_reads, colour_free, depth_reads, depth_free;
 
   // the banks
   logic [1:0] drawn, stored;
@@ -248,9 +248,9 @@ module tile #(
     .depth_o             (load_depth),
     .store_bank_i        (store_bank),
     .store_colour_reads_i(colour_reads),
-    .store_colour_gone_i (colour_gone),
+    .store_colour_free_i (colour_free),
     .store_depth_reads_i (depth_reads),
-    .store_depth_gone_i  (depth_gone),
+    .store_depth_free_i  (depth_free),
     .store_row_i         (store_row)
   );
 
@@ -343,9 +343,9 @@ module tile #(
     .colour_mark_i     (colour_mark[store_bank*MarkBits+:MarkBits]),
     .depth_mark_i      (depth_mark[store_bank*MarkBits+:MarkBits]),
     .colour_reads_o    (colour_reads),
-    .colour_gone_o     (colour_gone),
+    .colour_free_o     (colour_free),
     .depth_reads_o     (depth_reads),
-    .depth_gone_o      (depth_gone),
+    .depth_free_o      (depth_free),
     .response_valid_o  (response_valid_o),
     .response_ready_i  (response_ready_i),
     .response_data_o   (response_data_o),

@@ -43,7 +43,7 @@ module tile_fetch #(
   logic [YBits-1:0] row_q;
   logic [RoomBits-1:0] room_q;  // beats of the FIFO that were not asked for
   logic [3:0] ahead;
-  logic take, ask, last;
+  logic take, request, last;
 
   assign ahead = begin_after_i - done_i;
   assign begin_ready_o = !plan_q && !colour_q && !depth_q && (ahead[3] || ahead == '0);
@@ -57,14 +57,14 @@ module tile_fetch #(
 
   assign load_valid_o = (colour_q || depth_q) && room_q[RoomBits-1:RowBeatsBits] != '0;
   assign load_address_o = colour_q ? begin_q.colour : begin_q.depth;
-  assign ask = load_valid_o && load_ready_i;
-  assign last = ask && row_q == '1;
+  assign request = load_valid_o && load_ready_i;
+  assign last = request && row_q == '1;
 
   // A loaded part needs no clear value: its place holds the address of the next row.
   always_ff @(posedge clk_i) begin
     if (take) begin_q <= begin_i;
-    if (ask && colour_q) begin_q.colour <= begin_q.colour + 32'(begin_q.colour_pitch);
-    if (ask && !colour_q) begin_q.depth <= begin_q.depth + 32'(begin_q.depth_pitch);
+    if (request && colour_q) begin_q.colour <= begin_q.colour + 32'(begin_q.colour_pitch);
+    if (request && !colour_q) begin_q.depth <= begin_q.depth + 32'(begin_q.depth_pitch);
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -84,8 +84,8 @@ module tile_fetch #(
         if (last && colour_q) colour_q <= 1'b0;
         if (last && !colour_q) depth_q <= 1'b0;
       end
-      if (ask) row_q <= row_q + 1'b1;
-      room_q <= room_q - (ask ? RoomBits'(RowBeats) : '0) + RoomBits'(beat_taken_i);
+      if (request) row_q <= row_q + 1'b1;
+      room_q <= room_q - (request ? RoomBits'(RowBeats) : '0) + RoomBits'(beat_taken_i);
     end
   end
 

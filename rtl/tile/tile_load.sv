@@ -48,9 +48,9 @@ module tile_load #(
   // store_row_i are read; a part that is gone is read wholly or not wanted
   input  logic                store_bank_i,
   input  logic                store_colour_reads_i,
-  input  logic                store_colour_gone_i,
+  input  logic                store_colour_free_i,
   input  logic                store_depth_reads_i,
-  input  logic                store_depth_gone_i,
+  input  logic                store_depth_free_i,
   input  logic [RowBits-1:0]  store_row_i
 );
 
@@ -83,9 +83,9 @@ module tile_load #(
   assign bank_free = !bank_drawn_i && !bank_stored_i;
   assign behind = row_q < store_row_i;
   assign colour_free = bank_free || (bank_stored_i && store_bank_i == bank_q
-      && (store_colour_gone_i || (store_colour_reads_i && behind)));
+      && (store_colour_free_i || (store_colour_reads_i && behind)));
   assign depth_free = bank_free || (bank_stored_i && store_bank_i == bank_q
-      && (store_depth_gone_i || (store_depth_reads_i && behind)));
+      && (store_depth_free_i || (store_depth_reads_i && behind)));
 
   // Marks have run out, and rows may still have any.
   assign exhausted = bank_mark_i == '1 && !swept_q;

@@ -42,9 +42,9 @@ module tile_store #(
   // to tile_load: rows below row_o of the part that is read are free; a part that is gone is free
   // wholly
   output logic                   colour_reads_o,
-  output logic                   colour_gone_o,
+  output logic                   colour_free_o,
   output logic                   depth_reads_o,
-  output logic                   depth_gone_o,
+  output logic                   depth_free_o,
 
   // answers
   output logic                   response_valid_o,
@@ -93,8 +93,8 @@ module tile_store #(
 
   assign colour_reads_o = state_q == Read && !depth_q;
   assign depth_reads_o = state_q == Read && depth_q;
-  assign colour_gone_o = state_q == Drain || (state_q != Wait && depth_q);
-  assign depth_gone_o = state_q == Drain
+  assign colour_free_o = state_q == Drain || (state_q != Wait && depth_q);
+  assign depth_free_o = state_q == Drain
       || (state_q != Wait && depth_output_i == gloss_pkg::TILE_OUTPUT_DROP);
 
   assign row_first = row_q[RowBeatsBits-1:0] == '0;
