@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/draw_priv.h"
+#include "draw/bin.h"
 
 #define BLOCK_CHUNKS 64
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "draw/draw_priv.h"
+#include "draw/bin.h"
 
 struct accel_draw {
 	struct accel_device *device;

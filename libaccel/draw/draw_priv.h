@@ -14,7 +14,7 @@
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
  *   record.c     one TRIANGLE packet
- *   bin.c        records by tile
+ *   bin.c        records by tile (bin.h)
  *   frame.c      the frame's command stream
  *   number.h     smaller, larger, between
  *
@@ -397,81 +397,5 @@ uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
 			   const struct accel_triangle *triangle, const struct accel_place *place);
 /* A record that fills a tile with a colour (as a colour surface's word) and a depth. */
 uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, uint32_t depth);
-
-/* ---- bin.c ---- */
-
-/* Words that follow each other in a tile. */
-#define ACCEL_CHUNK_WORDS 254
-
-struct accel_chunk {
-	struct accel_chunk *next;
-	uint32_t words[ACCEL_CHUNK_WORDS];
-};
-
-/* What state packets say, as they stand in the stream. */
-struct accel_tile_state {
-	uint32_t depth_state, colour_mask, scissor;
-};
-
-/* What is cleared before anything is drawn: of ACCEL_CLEAR_*, and the values. */
-struct accel_tile_clear {
-	unsigned int mask;
-	uint32_t colour, depth;
-};
-
-struct accel_tile {
-	struct accel_chunk *chunk, *last;
-	uint32_t used;  /* words of the last chunk */
-	uint32_t words; /* of all */
-	bool drawn;     /* has records; of another tile nothing below is set */
-	bool uses_colour, uses_depth, writes_depth;
-	struct accel_tile_clear clear;
-	struct accel_tile_state first, now; /* that its records begin, end with */
-};
-
-struct accel_bin {
-	int tile_size;
-	int width, height;       /* of the target, pixels; 0: no target yet */
-	int columns, rows;       /* of tiles */
-	struct accel_tile *tile; /* row by row */
-	int tiles_room;
-	struct accel_tile_clear clear;
-	struct accel_tile_state state; /* of what is drawn next; its scissor is per tile */
-	struct accel_bounds visible;
-	struct accel_block *block, *block_now;
-	int block_used; /* chunks of block_now */
-	uint64_t records;
-};
-
-void accel_bin_init(struct accel_bin *bin, int tile_size);
-void accel_bin_free(struct accel_bin *bin);
-/* Forgets the frame, and keeps the memory. */
-void accel_bin_reset(struct accel_bin *bin);
-/* Sets the size of the target. */
-int accel_bin_begin(struct accel_bin *bin, int width, int height);
-/* After -ENOMEM the records of some tiles may be missing. */
-int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear);
-int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle);
-/* The word of a scissor packet. */
-uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1);
-/* Packets that turn one state into another; returns their words. */
-uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now,
-			   const struct accel_tile_state *state);
-/* What the triangles that follow are drawn with, and where. */
-void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
-		     const struct accel_bounds *visible);
-
-/* ---- frame.c ---- */
-
-/* A job ends at the first tile after this. */
-#define ACCEL_JOB_WORDS (1u << 24)
-
-/*
- * Sends the frame in @bin, in jobs of about @job_words. *@fence is the last one's. On failure
- * *@sent says whether a part of it is on the board.
- */
-int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
-		       const struct accel_target *target, size_t job_words,
-		       struct accel_draw_stats *stats, struct accel_fence **fence, bool *sent);
 
 #endif

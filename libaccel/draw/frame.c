@@ -2,7 +2,7 @@
 /* The frame's command stream: tile after tile, in as few jobs as there may be. */
 #include <errno.h>
 
-#include "draw/draw_priv.h"
+#include "draw/bin.h"
 
 /* Words of a job before its first tile, and of a tile beside its records: begin, state, end. */
 #define JOB_WORDS 4

@@ -5,7 +5,7 @@
  * did, whatever its neighbours do; and they keep the triangle's depth plane, so depth is the same
  * too, to the bit. Their colour is taken from the triangle's own normals, linear in space.
  */
-#include "draw/draw_priv.h"
+#include "draw/bin.h"
 
 /* What all parts of a triangle share. */
 struct whole {

@@ -145,6 +145,7 @@ static uint64_t meshes, taken, drawn;
 
 static void tell_seed(void)
 {
+	/* NOLINTNEXTLINE(bugprone-signal-handler): see too_long */
 	fprintf(stderr, "\nfuzz_draw: repeat this with: GLOSS_SEED=%llu fuzz_draw 1\n",
 		(unsigned long long)frame_seed);
 }
@@ -153,7 +154,7 @@ static void tell_seed(void)
 static void too_long(int signal)
 {
 	(void)signal;
-	tell_seed(); /* NOLINT(bugprone-signal-handler) */
+	tell_seed();
 	_exit(1);
 }
 

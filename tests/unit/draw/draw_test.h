@@ -4,7 +4,7 @@
 #define DRAW_TEST_H
 
 #include "accel_test.h"
-#include "draw/draw_priv.h"
+#include "draw/bin.h"
 #include "model/model.h"
 
 /* A vertex at (x, y) in 1/16 pixel. */
