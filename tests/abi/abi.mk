@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What programs that exist were compiled with.
 
+##@ Library and tools
 .PHONY: test-abi
 test-abi: $(BUILD)/libaccel.so ## structs of accel.h are as programs have them, and may grow
 	$(call quiet,TEST,abi)

@@ -172,7 +172,7 @@ static bool readable(int fd, int timeout_ms)
 
 static void a_fence_is_a_sync_file_too(void **state)
 {
-	enum { JOBS = 32 };	/* 13 seconds of them, for a busy machine to look once */
+	enum { JOBS = 32 }; /* 13 seconds of them, for a busy machine to look once */
 	struct accel_fence *fence[JOBS];
 	int fd[JOBS + 1];
 
