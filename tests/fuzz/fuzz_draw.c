@@ -361,8 +361,7 @@ static struct accel_clear any_clear(void)
 	return clear;
 }
 
-/* Keeps what the target has if there is nothing else to begin with. */
-static void begin(const struct board *board, struct accel_target *target)
+static int begin(const struct board *board, struct accel_target *target)
 {
 	const struct accel_clear clear = any_clear();
 	int err;
@@ -370,6 +369,19 @@ static void begin(const struct board *board, struct accel_target *target)
 	failed = false;
 	err = accel_draw_begin(board->draw, target, one_in(4) ? NULL : &clear);
 	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_begin", err);
+	return err;
+}
+
+/* With what the target has if the clear is refused, so that there is something to draw on. */
+static void begin_at_last(const struct board *board, struct accel_target *target)
+{
+	int err;
+
+	if (begin(board, target) != -EINVAL)
+		return;
+	failed = false;
+	err = accel_draw_begin(board->draw, target, NULL);
+	need(!err || (err == -ENOMEM && failed), "accel_draw_begin", err);
 }
 
 static void clear(const struct board *board)
@@ -441,14 +453,17 @@ static void frame(uint64_t seed)
 	if (one_in(100) && !accel_target_new(board->device, 1 + below(2048), 1 + below(64), &own))
 		target = own;
 	left = one_in(8) ? below(40) : -1;
-	begin(board, target);
+	begin_at_last(board, target);
 	for (int calls = 1 + below(6); calls > 0; calls--) {
 		set_state();
 		if (one_in(4))
 			clear(board);
 		draw_mesh(board);
-		if (one_in(6))
+		if (one_in(6)) {
 			submit(board);
+			if (!one_in(6))
+				begin_at_last(board, target);
+		}
 		/* Another target, or another board's, which is refused. */
 		if (one_in(6))
 			begin(board,
