@@ -179,8 +179,8 @@ static int live_with_target(struct accel_device *device)
 
 static int live_with_draw(struct accel_device *device)
 {
-	static const struct accel_clear red =
-		ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR, .rgba = { 1, 0, 0, 1 });
+	static const struct accel_clear red = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR,
+							  .rgba = { 1, 0, 0, 1 });
 	struct accel_target *target;
 	struct accel_draw *draw;
 	int err;

@@ -159,6 +159,11 @@ static int use_all_in_child(void)
 	must(accel_stream_new(fixture.device, &stream) == 0);
 	must(accel_stream_slot(stream, fixture.buffer, ACCEL_SLOT_READ) == 0);
 	must(accel_stream_submit(stream, NULL, 0, &fence) == -ENODEV);
+	must(accel_stream_submit(stream, NULL, 0, NULL) == -ENODEV);
+	must(accel_stream_finish(stream, NULL, 0) == -ENODEV);
+	must(accel_device_finish(fixture.device) == -ENODEV);
+	err = accel_fence_fd(fixture.fence);
+	must(err == -ENODEV || err == -ENOTSUP);
 	accel_stream_free(stream);
 	return 0;
 }
