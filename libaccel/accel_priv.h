@@ -139,11 +139,11 @@ void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
 void accel_fence_give(struct accel_fence *fence, struct accel_fence **out);
 /* Waits for @fence and frees it. */
 int accel_fence_finish(struct accel_fence *fence);
-void accel_detached_init(struct accel_detached *detached);
-void accel_detached_fini(struct accel_detached *detached);
+void accel_fence_detached_init(struct accel_detached *detached);
+void accel_fence_detached_fini(struct accel_detached *detached);
 /* Frees the fences whose jobs have ended. Does not wait. */
-void accel_detached_reap(struct accel_detached *detached);
+void accel_fence_detached_reap(struct accel_detached *detached);
 /* Waits for all; what accel_fence_wait says of the first that failed since the last call. */
-int accel_detached_finish(struct accel_detached *detached);
+int accel_fence_detached_finish(struct accel_detached *detached);
 
 #endif

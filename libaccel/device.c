@@ -132,7 +132,7 @@ int accel_device_new(const char *name, accel_message_fn message, void *data,
 	if (err)
 		goto err_free_dump;
 	pthread_mutex_init(&device->lock, NULL);
-	accel_detached_init(&device->detached);
+	accel_fence_detached_init(&device->detached);
 	*out = device;
 	return 0;
 
@@ -212,7 +212,7 @@ int accel_device_enter(struct accel_device *device, int *held)
 	if (accel_device_is_inherited(device))
 		return -ENODEV;
 	*held = accel_thread_hold_cancel();
-	accel_detached_reap(&device->detached);
+	accel_fence_detached_reap(&device->detached);
 	pthread_mutex_lock(&device->lock);
 	device_free_memory_locked(device);
 	return 0;
@@ -258,12 +258,12 @@ static void device_close(struct accel_device *device)
 	if (accel_device_is_inherited(device))
 		return;
 	held = accel_thread_hold_cancel();
-	accel_detached_finish(&device->detached);
+	accel_fence_detached_finish(&device->detached);
 	atomic_store(&device->detached.ended, UINT64_MAX);
 	device_free_memory_locked(device);
 	device->ops->close(device->state);
 	accel_thread_allow_cancel(held);
-	accel_detached_fini(&device->detached);
+	accel_fence_detached_fini(&device->detached);
 	pthread_mutex_destroy(&device->lock);
 }
 
@@ -336,7 +336,7 @@ int accel_device_finish(struct accel_device *device)
 	if (accel_device_is_inherited(device))
 		return -ENODEV;
 	err = device_finish_jobs(device);
-	left = accel_detached_finish(&device->detached);
+	left = accel_fence_detached_finish(&device->detached);
 	/* Gives back the memory that their buffers had. */
 	if (!accel_device_enter(device, &held))
 		accel_device_leave(device, held);

@@ -240,7 +240,7 @@ void accel_fence_give(struct accel_fence *fence, struct accel_fence **out)
 		fence_detach(fence);
 }
 
-void accel_detached_init(struct accel_detached *detached)
+void accel_fence_detached_init(struct accel_detached *detached)
 {
 	pthread_mutexattr_t attributes;
 
@@ -253,13 +253,13 @@ void accel_detached_init(struct accel_detached *detached)
 	pthread_mutexattr_destroy(&attributes);
 }
 
-void accel_detached_fini(struct accel_detached *detached)
+void accel_fence_detached_fini(struct accel_detached *detached)
 {
 	pthread_mutex_destroy(&detached->turn);
 	pthread_mutex_destroy(&detached->lock);
 }
 
-static struct accel_fence *detached_first(struct accel_detached *detached)
+static struct accel_fence *fence_detached_first(struct accel_detached *detached)
 {
 	struct accel_fence *fence;
 
@@ -269,7 +269,7 @@ static struct accel_fence *detached_first(struct accel_detached *detached)
 	return fence;
 }
 
-static void detached_drop_first(struct accel_detached *detached)
+static void fence_detached_drop(struct accel_detached *detached)
 {
 	struct accel_fence *fence;
 
@@ -286,36 +286,36 @@ static void detached_drop_first(struct accel_detached *detached)
 }
 
 /* Called with the turn; takes those that have ended, or are to be waited for. */
-static void detached_take(struct accel_detached *detached, int64_t timeout_ns)
+static void fence_detached_take(struct accel_detached *detached, int64_t timeout_ns)
 {
 	struct accel_fence *fence;
 	int err;
 
-	while ((fence = detached_first(detached))) {
+	while ((fence = fence_detached_first(detached))) {
 		err = accel_fence_wait(fence, timeout_ns, NULL, 0);
 		if (err == -ETIMEDOUT)
 			return;
 		if (!detached->result)
 			detached->result = err;
-		detached_drop_first(detached);
+		fence_detached_drop(detached);
 	}
 }
 
-void accel_detached_reap(struct accel_detached *detached)
+void accel_fence_detached_reap(struct accel_detached *detached)
 {
-	if (!detached_first(detached) || pthread_mutex_trylock(&detached->turn))
+	if (!fence_detached_first(detached) || pthread_mutex_trylock(&detached->turn))
 		return;
-	detached_take(detached, 0);
+	fence_detached_take(detached, 0);
 	pthread_mutex_unlock(&detached->turn);
 }
 
-int accel_detached_finish(struct accel_detached *detached)
+int accel_fence_detached_finish(struct accel_detached *detached)
 {
 	int result;
 
 	if (pthread_mutex_lock(&detached->turn))
 		return 0;
-	detached_take(detached, -1);
+	fence_detached_take(detached, -1);
 	result = detached->result;
 	detached->result = 0;
 	pthread_mutex_unlock(&detached->turn);

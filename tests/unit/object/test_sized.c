@@ -96,25 +96,62 @@ static void as_much_is_filled_as_the_program_has_room_for(void **state)
 		check_out(size);
 }
 
+/* Of @given, filled into bytes of 0xee: @size of them, of which @known are of the library. */
+static void check_answer(const uint8_t *given, size_t size, size_t known, size_t room)
+{
+	for (size_t i = known; i < room; i++)
+		assert_int_equal(given[i], i < size ? 0 : 0xee);
+}
+
 static void each_answer_of_the_library_is_filled_so(void **state)
 {
-	struct {
+	static const size_t more[] = { 0, 1, 8, 16 };
+	union {
 		struct accel_device_info info;
-		uint8_t later[8];
-	} whole, part;
+		struct accel_draw_stats stats;
+		struct accel_fence_status status;
+		uint8_t bytes[128];
+	} given;
+	const size_t room = sizeof(given.bytes);
+	struct accel_device *device;
+	struct accel_stream *stream;
 	struct messages messages;
-	struct accel_device *device = device_open("model:", &messages);
+	struct accel_fence *fence;
+	struct accel_draw *draw;
 
 	(void)state;
-	memset(&whole, 0xee, sizeof(whole));
-	memset(&part, 0xee, sizeof(part));
-	accel_device_info(device, &whole.info, sizeof(whole));
-	accel_device_info(device, &part.info, offsetof(struct accel_device_info, memory_size));
-	assert_int_equal(whole.info.memory_size, 256 << 20);
-	assert_int_equal(part.info.memory_size, 0xeeeeeeeeeeeeeeee);
-	assert_int_equal(part.info.tile_size, 64);
-	for (size_t i = 0; i < sizeof(whole.later); i++)
-		assert_int_equal(whole.later[i], 0);
+	device = device_open("model:", &messages);
+	assert_int_equal(accel_draw_new(device, &draw), 0);
+	assert_int_equal(accel_stream_new(device, &stream), 0);
+	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
+	for (size_t i = 0; i < sizeof(more) / sizeof(more[0]); i++) {
+		memset(&given, 0xee, sizeof(given));
+		accel_device_info(device, &given.info, sizeof(given.info) + more[i]);
+		assert_int_equal(given.info.memory_size, 256 << 20);
+		check_answer(given.bytes, sizeof(given.info) + more[i], sizeof(given.info), room);
+		memset(&given, 0xee, sizeof(given));
+		accel_draw_stats(draw, &given.stats, sizeof(given.stats) + more[i]);
+		assert_int_equal(given.stats.tiles, 0);
+		check_answer(given.bytes, sizeof(given.stats) + more[i], sizeof(given.stats), room);
+		memset(&given, 0xee, sizeof(given));
+		assert_int_equal(accel_fence_wait(fence, -1, &given.status,
+						  sizeof(given.status) + more[i]),
+				 0);
+		assert_int_equal(given.status.fault, 0);
+		check_answer(given.bytes, sizeof(given.status) + more[i], sizeof(given.status),
+			     room);
+	}
+	/* And no more than an older program has room for. */
+	memset(&given, 0xee, sizeof(given));
+	accel_device_info(device, &given.info, offsetof(struct accel_device_info, memory_size));
+	assert_int_equal(given.info.tile_size, 64);
+	check_answer(given.bytes, 0, offsetof(struct accel_device_info, memory_size), room);
+	memset(&given, 0xee, sizeof(given));
+	assert_int_equal(accel_fence_wait(fence, -1, &given.status, 4), 0);
+	check_answer(given.bytes, 0, 4, room);
+	accel_fence_free(fence);
+	accel_stream_free(stream);
+	accel_draw_free(draw);
 	accel_device_free(device);
 }
 

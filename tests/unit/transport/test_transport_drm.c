@@ -622,6 +622,11 @@ static void clocks_are_what_the_kernel_tells(void **state)
 	fake_gloss.has_clock = true;
 	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), 0);
 	assert_memory_equal(&clocks, &told, sizeof(clocks));
+	/* A program of before the stalls. */
+	memset(&clocks, 0xee, sizeof(clocks));
+	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks.clocks)), 0);
+	assert_int_equal(clocks.clocks, told.clocks);
+	assert_int_equal(clocks.stall_stream, 0xeeeeeeeeeeeeeeee);
 	fake_gloss.fail_at = 1;
 	fake_gloss.fail_errno = ENODEV;
 	assert_int_equal(accel_device_clocks(device, &clocks, sizeof(clocks)), -ENODEV);
