@@ -192,6 +192,7 @@ int accel_device_list(accel_device_list_fn found, void *data);
  */
 int accel_device_new(const char *name, accel_message_fn message, void *data,
 		     struct accel_device **device);
+/* The device goes with the last object that is of it, and waits for its jobs then. */
 void accel_device_free(struct accel_device *device);
 /* Fills @info, of which the caller has @size bytes: sizeof(*info). */
 void accel_device_info(struct accel_device *device, struct accel_device_info *info, size_t size);
@@ -230,6 +231,7 @@ int accel_device_finish(struct accel_device *device);
  * -EINVAL: another @size. -ENOMEM: also when board memory has no such range left.
  */
 int accel_buffer_new(struct accel_device *device, uint64_t size, struct accel_buffer **buffer);
+/* Does not wait: the memory is given back when no stream and no job uses it any more. */
 void accel_buffer_free(struct accel_buffer *buffer);
 
 /*
@@ -252,6 +254,7 @@ int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, 
  */
 int accel_target_new(struct accel_device *device, int width, int height,
 		     struct accel_target **target);
+/* Does not wait, as accel_buffer_free. */
 void accel_target_free(struct accel_target *target);
 
 /* What a target has for each pixel, 4 bytes of each. */
@@ -398,6 +401,7 @@ int accel_state_set_material(struct accel_state *state, const struct accel_mater
  * is negative; a spot's exponent or cutoff is out of range; the size is not set or @reserved is.
  * -E2BIG: @light has members that are not known. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
+/* How light and colours vary over a triangle; ACCEL_SHADING_ADAPTIVE by default. */
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
 
 /* ---- mesh: lent for the duration of a call ---- */
@@ -486,6 +490,7 @@ struct accel_draw_stats {
 	uint64_t tiles;
 };
 
+/* A draw collects one frame at a time, and keeps the memory that this took for the next. */
 int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
 /* Forgets a frame that was not submitted. */
 void accel_draw_free(struct accel_draw *draw);
@@ -562,7 +567,9 @@ int accel_draw_finish(struct accel_draw *draw);
 
 #define ACCEL_STREAM_WORDS_MAX (1u << 28)
 
+/* An empty stream, without slots. */
 int accel_stream_new(struct accel_device *device, struct accel_stream **stream);
+/* Forgets words and slots that were not submitted. */
 void accel_stream_free(struct accel_stream *stream);
 /*
  * Appends a copy of @count words. The library does not check them, the board does.

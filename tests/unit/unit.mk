@@ -43,6 +43,7 @@ ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine 
 	test_transport_sim test_transport_sim_core
 UNIT_TESTS += test_symbols test_sim_wrapper
 
+$(call unit,test_target): private WRAPS := $(call wrap,accel_engine_submit)
 FLAGS_tests/unit/object/test_unload.c = -DACCEL_SO='"$(BUILD)/libaccel.so"'
 $(call unit,test_unload): | $(BUILD)/libaccel.so
 run-test_unload: $(BUILD)/libaccel.so

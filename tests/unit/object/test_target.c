@@ -7,6 +7,20 @@ struct fixture {
 	struct accel_device *device;
 };
 
+static uint64_t words_fetched; /* of the board, by all jobs */
+
+int __real_accel_engine_submit(void *state, const struct accel_transport_job *job,
+			       uint64_t *sequence);
+int __wrap_accel_engine_submit(void *state, const struct accel_transport_job *job,
+			       uint64_t *sequence);
+
+int __wrap_accel_engine_submit(void *state, const struct accel_transport_job *job,
+			       uint64_t *sequence)
+{
+	words_fetched += job->response_words;
+	return __real_accel_engine_submit(state, job, sequence);
+}
+
 static int setup(void **state)
 {
 	static struct fixture fixture;
@@ -163,6 +177,20 @@ static void a_rectangle_is_read_alone(void **state)
 	accel_target_free(target);
 }
 
+static void only_the_rectangle_is_fetched(void **state)
+{
+	static const struct accel_rectangle part = { 100, 20, 150, 90 };
+	struct accel_target *target = target_of(*state, 300, 130);
+	static uint32_t pixels[300 * 130];
+
+	words_fetched = 0;
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_DEPTH, &part, pixels, 600), 0);
+	assert_int_equal(words_fetched, 150 * 90);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR, NULL, pixels, 1200), 0);
+	assert_int_equal(words_fetched, 150 * 90 + 300 * 130);
+	accel_target_free(target);
+}
+
 static void a_rectangle_beside_the_target_is_refused(void **state)
 {
 	static const struct accel_rectangle wrong[] = {
@@ -252,6 +280,7 @@ int main(void)
 		target_test(surfaces_are_padded_to_whole_tiles),
 		target_test(every_pixel_is_read_at_its_place),
 		target_test(a_rectangle_is_read_alone),
+		target_test(only_the_rectangle_is_fetched),
 		target_test(a_rectangle_beside_the_target_is_refused),
 		target_test(a_new_target_is_zero),
 		target_test(a_pitch_too_small_or_between_words_is_refused),
