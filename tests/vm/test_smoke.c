@@ -23,7 +23,7 @@ static void check_driver(int fd, const char *node)
 {
 	drmVersion *version = drmGetVersion(fd);
 
-	if (!version || strcmp(version->name, "gloss"))
+	if (!version || strcmp(version->name, "gloss") != 0)
 		vm_fail("%s is not of the gloss module", node);
 	VM_PRINT("%s: %s %d.%d.%d, %s\n", node, version->name, version->version_major,
 		 version->version_minor, version->version_patchlevel, version->desc);

@@ -471,7 +471,7 @@ static int close_files(void **state)
 static int teardown(void **state)
 {
 	(void)state;
-	if (strcmp(node, vm_env("GLOSS_NODE_MODEL")) &&
+	if (strcmp(node, vm_env("GLOSS_NODE_MODEL")) != 0 &&
 	    (board_unbind(pci) || board_bind(pci, "gloss") ||
 	     board_node(pci, vm_patience_ms(), node)))
 		return -1;

@@ -133,7 +133,7 @@ static void fill_content(uint64_t seed)
 static void check_answers(void)
 {
 	for (int n = 0; n < JOBS; n++)
-		if (memcmp(answer[n], content, JOB_BYTES))
+		if (memcmp(answer[n], content, JOB_BYTES) != 0)
 			vm_fail("what is read back is not what was written");
 }
 
