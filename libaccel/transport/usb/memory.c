@@ -153,9 +153,13 @@ int accel_usb_memory_clear(struct accel_usb_memory *memory, const struct accel_t
 {
 	int err = 0;
 
-	for (uint32_t i = 0; i < from->slots && !err; i++)
-		if (from->slot[i].rights)
-			err = memory_clear(memory, *memory_find(memory, from->slot[i].object),
-					   losses);
+	for (uint32_t i = 0; i < from->slots && !err; i++) {
+		struct usb_object *object;
+
+		if (!from->slot[i].rights)
+			continue;
+		object = *memory_find(memory, from->slot[i].object);
+		err = object ? memory_clear(memory, object, losses) : -EINVAL;
+	}
 	return err;
 }
