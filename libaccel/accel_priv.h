@@ -21,6 +21,7 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 struct accel_detached {
 	pthread_mutex_t lock; /* of the list */
 	struct accel_fence *first, **last;
+	unsigned int fences;
 	pthread_mutex_t turn;   /* who has it takes fences from the list */
 	int result;             /* under turn: of the first that failed since it was told */
 	_Atomic uint64_t ended; /* the last of their jobs that is known to have ended */

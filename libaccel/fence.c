@@ -228,6 +228,7 @@ static void fence_detach(struct accel_fence *fence)
 	pthread_mutex_lock(&device->detached.lock);
 	*device->detached.last = fence;
 	device->detached.last = &fence->next;
+	device->detached.fences++;
 	pthread_mutex_unlock(&device->detached.lock);
 	accel_device_unref(device);
 }
@@ -259,14 +260,16 @@ void accel_fence_detached_fini(struct accel_detached *detached)
 	pthread_mutex_destroy(&detached->lock);
 }
 
-static struct accel_fence *fence_detached_first(struct accel_detached *detached)
+/* How many there are, and the first; others can only be added until the turn's holder drops it. */
+static unsigned int fence_detached_look(struct accel_detached *detached, struct accel_fence **first)
 {
-	struct accel_fence *fence;
+	unsigned int fences;
 
 	pthread_mutex_lock(&detached->lock);
-	fence = detached->first;
+	fences = detached->fences;
+	*first = detached->first;
 	pthread_mutex_unlock(&detached->lock);
-	return fence;
+	return fences;
 }
 
 static void fence_detached_drop(struct accel_detached *detached)
@@ -276,6 +279,7 @@ static void fence_detached_drop(struct accel_detached *detached)
 	pthread_mutex_lock(&detached->lock);
 	fence = detached->first;
 	detached->first = fence->next;
+	detached->fences--;
 	if (!detached->first)
 		detached->last = &detached->first;
 	pthread_mutex_unlock(&detached->lock);
@@ -285,13 +289,18 @@ static void fence_detached_drop(struct accel_detached *detached)
 	free(fence);
 }
 
-/* Called with the turn; takes those that have ended, or are to be waited for. */
+/*
+ * Called with the turn; takes those that have ended, or are to be waited for. Not those that come
+ * meanwhile, or a thread that submits on and on would keep it here.
+ */
 static void fence_detached_take(struct accel_detached *detached, int64_t timeout_ns)
 {
 	struct accel_fence *fence;
+	unsigned int left = fence_detached_look(detached, &fence);
 	int err;
 
-	while ((fence = fence_detached_first(detached))) {
+	for (; left; left--) {
+		fence_detached_look(detached, &fence);
 		err = accel_fence_wait(fence, timeout_ns, NULL, 0);
 		if (err == -ETIMEDOUT)
 			return;
@@ -303,7 +312,9 @@ static void fence_detached_take(struct accel_detached *detached, int64_t timeout
 
 void accel_fence_detached_reap(struct accel_detached *detached)
 {
-	if (!fence_detached_first(detached) || pthread_mutex_trylock(&detached->turn))
+	struct accel_fence *first;
+
+	if (!fence_detached_look(detached, &first) || pthread_mutex_trylock(&detached->turn))
 		return;
 	fence_detached_take(detached, 0);
 	pthread_mutex_unlock(&detached->turn);

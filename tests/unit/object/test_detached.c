@@ -246,6 +246,44 @@ static void threads_submit_without_fences(void **state)
 	accel_device_free(device);
 }
 
+static atomic_bool stop;
+
+static void *submit_on_and_on(void *data)
+{
+	struct accel_stream *stream;
+	int err = accel_stream_new(data, &stream);
+
+	if (err)
+		return "no stream";
+	/* Not for ever: nothing but memory bounds how many empty jobs wait. */
+	for (int n = 0; n < 5000 && !err && !atomic_load(&stop); n++)
+		err = accel_stream_submit(stream, NULL, 0, NULL);
+	accel_stream_free(stream);
+	return err ? "a job failed" : NULL;
+}
+
+static void finish_ends_though_others_submit_on(void **state)
+{
+	struct accel_device *device;
+	struct messages messages;
+	pthread_t thread[2];
+	void *wrong;
+
+	(void)state;
+	atomic_store(&stop, false);
+	device = device_open("model:", &messages);
+	for (int i = 0; i < 2; i++)
+		assert_int_equal(pthread_create(&thread[i], NULL, submit_on_and_on, device), 0);
+	for (int i = 0; i < 20; i++)
+		assert_int_equal(accel_device_finish(device), 0);
+	atomic_store(&stop, true);
+	for (int i = 0; i < 2; i++) {
+		pthread_join(thread[i], &wrong);
+		assert_null(wrong);
+	}
+	accel_device_free(device);
+}
+
 /* ---- a message function may call the library ---- */
 
 struct caller {
@@ -291,6 +329,7 @@ int main(void)
 		detached_test(a_device_may_go_before_its_jobs_have_ended),
 		detached_test(finish_waits_for_jobs_of_other_threads),
 		cmocka_unit_test(threads_submit_without_fences),
+		cmocka_unit_test(finish_ends_though_others_submit_on),
 		cmocka_unit_test(the_message_of_a_failure_may_call_finish),
 	};
 
