@@ -32,7 +32,7 @@ struct vgem_fence_signal {
 
 static struct client client;
 static int vgem = -1;
-static bool vgem_loaded;		/* by this test: a kernel may have it built in */
+static bool vgem_loaded; /* by this test: a kernel may have it built in */
 
 /* An object of vgem's, and what it is to gloss. */
 struct foreign {
