@@ -153,7 +153,7 @@ static int gloss_clear_push(struct gloss_job *job)
  * Queues a job of @file, or of the driver's own, that clears @tiles of @board, @offset bytes
  * from its start.
  */
-static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles,
+static int gloss_clear_tiles(struct gloss_board_object *board, u64 offset, u32 tiles,
 			     struct gloss_file *file, u32 priority)
 {
 	struct gloss_device *gdev = to_gloss_device(board->base.dev);
@@ -180,7 +180,7 @@ static int gloss_clear_tiles(struct gloss_board *board, u64 offset, u32 tiles,
 }
 
 /* Those of a former clearing count no more, whatever becomes of them. */
-static void gloss_clear_start(struct gloss_board *board, struct gloss_file *file, u32 jobs)
+static void gloss_clear_start(struct gloss_board_object *board, struct gloss_file *file, u32 jobs)
 {
 	struct gloss_file *before;
 	unsigned long flags;
@@ -198,7 +198,7 @@ static void gloss_clear_start(struct gloss_board *board, struct gloss_file *file
 		gloss_file_put(before);
 }
 
-static void gloss_clear_fail(struct gloss_board *board, u32 clearing)
+static void gloss_clear_fail(struct gloss_board_object *board, u32 clearing)
 {
 	unsigned long flags;
 
@@ -217,7 +217,7 @@ void gloss_clear_failed(const struct gloss_job *job)
 /* The board gets a job that clears. */
 void gloss_clear_begun(const struct gloss_job *job)
 {
-	struct gloss_board *board = job->clears;
+	struct gloss_board_object *board = job->clears;
 	unsigned long flags;
 
 	spin_lock_irqsave(&board->clear_lock, flags);
@@ -227,7 +227,7 @@ void gloss_clear_begun(const struct gloss_job *job)
 }
 
 /* Whether a job that names the object must not be run now. */
-bool gloss_clear_missing(struct gloss_board *board)
+bool gloss_clear_missing(struct gloss_board_object *board)
 {
 	unsigned long flags;
 	bool missing;
@@ -239,7 +239,7 @@ bool gloss_clear_missing(struct gloss_board *board)
 }
 
 /* Whether the clearing that was queued is none any more: also one whose jobs will be cancelled. */
-static bool gloss_clear_lost(struct gloss_board *board)
+static bool gloss_clear_lost(struct gloss_board_object *board)
 {
 	unsigned long flags;
 	bool lost;
@@ -252,7 +252,8 @@ static bool gloss_clear_lost(struct gloss_board *board)
 }
 
 /* On an error some of it may be queued. */
-static int gloss_clear_queue(struct gloss_board *board, struct gloss_file *file, u32 priority)
+static int gloss_clear_queue(struct gloss_board_object *board, struct gloss_file *file,
+			     u32 priority)
 {
 	const struct gloss_device *gdev = to_gloss_device(board->base.dev);
 	u32 tile_bytes = gloss_clear_tile_bytes(gdev);
@@ -277,7 +278,7 @@ static int gloss_clear_queue(struct gloss_board *board, struct gloss_file *file,
  * Makes sure that an object is cleared before a job of @file and @priority that is locked after
  * this.
  */
-int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 priority)
+int gloss_clear_board(struct gloss_board_object *board, struct gloss_file *file, u32 priority)
 {
 	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
 	int ret;
@@ -298,7 +299,7 @@ int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 pr
 }
 
 /* Clears an object again before the jobs that are queued. */
-void gloss_clear_again(struct gloss_board *board)
+void gloss_clear_again(struct gloss_board_object *board)
 {
 	struct gloss_clear *clear = &to_gloss_device(board->base.dev)->clear;
 

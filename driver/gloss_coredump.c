@@ -95,7 +95,7 @@ static void gloss_coredump_note(struct gloss_coredump *dump, const struct gloss_
  */
 static bool gloss_coredump_copy(const struct gloss_job *job, unsigned int index, struct page *to)
 {
-	const struct gloss_host *host = job->stream;
+	const struct gloss_host_object *host = job->stream;
 	u64 offset = job->stream_offset + (u64)index * PAGE_SIZE;
 	unsigned int i;
 

@@ -286,7 +286,7 @@ static inline struct gloss_file *to_gloss_file(struct drm_file *drm)
  * bytes of it, and @list_address is where the board finds the list. While a job uses it, it
  * stays pinned, and, as long as there is a board, mapped.
  */
-struct gloss_host {
+struct gloss_host_object {
 	struct drm_gem_shmem_object base;
 	struct list_head node;		/* in gloss_hosts.list */
 	struct list_head idle;		/* in gloss_hosts.idle */
@@ -302,7 +302,7 @@ struct gloss_host {
 };
 
 /* An object in board memory. */
-struct gloss_board {
+struct gloss_board_object {
 	struct drm_gem_object base;
 	struct drm_mm_node node;
 	struct gloss_file *payer;	/* whose share it is of */
@@ -333,14 +333,14 @@ static inline bool gloss_gem_is_board(const struct drm_gem_object *object)
 	return object->funcs == &gloss_board_funcs;
 }
 
-static inline struct gloss_host *to_gloss_host(struct drm_gem_object *object)
+static inline struct gloss_host_object *to_gloss_host(struct drm_gem_object *object)
 {
-	return container_of(to_drm_gem_shmem_obj(object), struct gloss_host, base);
+	return container_of(to_drm_gem_shmem_obj(object), struct gloss_host_object, base);
 }
 
-static inline struct gloss_board *to_gloss_board(struct drm_gem_object *object)
+static inline struct gloss_board_object *to_gloss_board(struct drm_gem_object *object)
 {
-	return container_of(object, struct gloss_board, base);
+	return container_of(object, struct gloss_board_object, base);
 }
 
 enum gloss_job_state {
@@ -358,7 +358,7 @@ struct gloss_job {
 	struct drm_sched_job base;
 	struct gloss_device *gdev;
 	struct gloss_file *file;	/* NULL: the driver's own */
-	struct gloss_board *clears;	/* the object whose clearing this is, or NULL */
+	struct gloss_board_object *clears;	/* the object whose clearing this is, or NULL */
 	u32 clearing;			/* which one */
 
 	struct gloss_turn turn;
@@ -375,7 +375,7 @@ struct gloss_job {
 	u32 sequence;
 	u32 stream_words, response_words;
 	dma_addr_t stream_list, response_list;
-	struct gloss_host *stream;	/* one of @objects, or NULL: for a dump of it */
+	struct gloss_host_object *stream;	/* one of @objects, or NULL: for a dump of it */
 	u64 stream_offset;
 	struct gloss_job_slot slot[GLOSS_SLOTS];
 
@@ -435,10 +435,10 @@ struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size);
 struct drm_gem_object *gloss_host_create(struct gloss_device *gdev, size_t size);
 struct drm_gem_object *gloss_host_import(struct drm_device *drm,
 					 struct dma_buf_attachment *attach, struct sg_table *sgt);
-int gloss_host_use(struct gloss_host *host, struct gloss_file *file);
-void gloss_host_end_use(struct gloss_host *host);
-void gloss_host_set_busy(struct gloss_host *host);
-unsigned long gloss_host_try_unpin(struct gloss_host *host);
+int gloss_host_use(struct gloss_host_object *host, struct gloss_file *file);
+void gloss_host_end_use(struct gloss_host_object *host);
+void gloss_host_set_busy(struct gloss_host_object *host);
+unsigned long gloss_host_try_unpin(struct gloss_host_object *host);
 
 /* Drops a reference to an object that a job uses, or was to use. */
 static inline void gloss_gem_end_use(struct drm_gem_object *object)
@@ -472,9 +472,9 @@ void gloss_memory_clear(struct gloss_device *gdev);
 
 /* gloss_clear.c */
 int gloss_clear_init(struct gloss_device *gdev);
-int gloss_clear_board(struct gloss_board *board, struct gloss_file *file, u32 priority);
-void gloss_clear_again(struct gloss_board *board);
-bool gloss_clear_missing(struct gloss_board *board);
+int gloss_clear_board(struct gloss_board_object *board, struct gloss_file *file, u32 priority);
+void gloss_clear_again(struct gloss_board_object *board);
+bool gloss_clear_missing(struct gloss_board_object *board);
 void gloss_clear_begun(const struct gloss_job *job);
 void gloss_clear_failed(const struct gloss_job *job);
 

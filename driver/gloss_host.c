@@ -32,18 +32,18 @@
 
 #define GLOSS_PAGES_PER_PAGE	(PAGE_SIZE / GLOSS_PAGE_BYTES)
 
-static unsigned int gloss_host_entries(const struct gloss_host *host)
+static unsigned int gloss_host_entries(const struct gloss_host_object *host)
 {
 	return host->base.base.size / GLOSS_PAGE_BYTES;
 }
 
-static struct device *gloss_host_device(const struct gloss_host *host)
+static struct device *gloss_host_device(const struct gloss_host_object *host)
 {
 	return host->base.base.dev->dev;
 }
 
 /* Unmaps the pages of the first @entries of the list. */
-static void gloss_host_unmap_pages(struct gloss_host *host, unsigned int entries)
+static void gloss_host_unmap_pages(struct gloss_host_object *host, unsigned int entries)
 {
 	unsigned int i;
 
@@ -52,7 +52,7 @@ static void gloss_host_unmap_pages(struct gloss_host *host, unsigned int entries
 			       DMA_BIDIRECTIONAL);
 }
 
-static int gloss_host_check(const struct gloss_host *host, dma_addr_t address)
+static int gloss_host_check(const struct gloss_host_object *host, dma_addr_t address)
 {
 	if (dma_need_sync(gloss_host_device(host), address)) {
 		drm_dbg(host->base.base.dev, "this machine's DMA is not coherent\n");
@@ -61,7 +61,7 @@ static int gloss_host_check(const struct gloss_host *host, dma_addr_t address)
 	return 0;
 }
 
-static int gloss_host_map_pages(struct gloss_host *host)
+static int gloss_host_map_pages(struct gloss_host_object *host)
 {
 	struct device *dev = gloss_host_device(host);
 	unsigned int entries = gloss_host_entries(host);
@@ -91,7 +91,7 @@ unmap:
 }
 
 /* The pages of an imported object are mapped already. */
-static int gloss_host_list_pages(struct gloss_host *host)
+static int gloss_host_list_pages(struct gloss_host_object *host)
 {
 	unsigned int entries = gloss_host_entries(host);
 	unsigned int i, entry = 0;
@@ -114,13 +114,13 @@ static int gloss_host_list_pages(struct gloss_host *host)
 	return entry == entries ? 0 : -EINVAL;
 }
 
-static size_t gloss_host_list_bytes(const struct gloss_host *host)
+static size_t gloss_host_list_bytes(const struct gloss_host_object *host)
 {
 	return gloss_host_entries(host) * sizeof(*host->list);
 }
 
 /* The board reads the list as one array, so it can not be in pieces. */
-static int gloss_host_new_list(struct gloss_host *host)
+static int gloss_host_new_list(struct gloss_host_object *host)
 {
 	host->list = dma_alloc_coherent(gloss_host_device(host), gloss_host_list_bytes(host),
 					&host->list_address,
@@ -128,19 +128,19 @@ static int gloss_host_new_list(struct gloss_host *host)
 	return host->list ? 0 : -ENOMEM;
 }
 
-static void gloss_host_free_list(struct gloss_host *host)
+static void gloss_host_free_list(struct gloss_host_object *host)
 {
 	dma_free_coherent(gloss_host_device(host), gloss_host_list_bytes(host), host->list,
 			  host->list_address);
 	host->list = NULL;
 }
 
-static bool gloss_host_imported(const struct gloss_host *host)
+static bool gloss_host_imported(const struct gloss_host_object *host)
 {
 	return host->attach;
 }
 
-static int gloss_host_make_list(struct gloss_host *host)
+static int gloss_host_make_list(struct gloss_host_object *host)
 {
 	int ret;
 
@@ -154,12 +154,12 @@ static int gloss_host_make_list(struct gloss_host *host)
 	return ret;
 }
 
-static unsigned long gloss_host_page_count(const struct gloss_host *host)
+static unsigned long gloss_host_page_count(const struct gloss_host_object *host)
 {
 	return host->base.base.size >> PAGE_SHIFT;
 }
 
-static bool gloss_host_charge(struct gloss_host *host, struct gloss_file *file)
+static bool gloss_host_charge(struct gloss_host_object *host, struct gloss_file *file)
 {
 	unsigned long count = gloss_host_page_count(host);
 	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
@@ -169,7 +169,7 @@ static bool gloss_host_charge(struct gloss_host *host, struct gloss_file *file)
 }
 
 /* The pages are charged to @file until they are unpinned. */
-static int gloss_host_pin(struct gloss_host *host, struct gloss_file *file)
+static int gloss_host_pin(struct gloss_host_object *host, struct gloss_file *file)
 {
 	struct page **pages;
 
@@ -191,7 +191,7 @@ static int gloss_host_pin(struct gloss_host *host, struct gloss_file *file)
 	return 0;
 }
 
-static void gloss_host_unpin(struct gloss_host *host)
+static void gloss_host_unpin(struct gloss_host_object *host)
 {
 	if (!host->pages)
 		return;
@@ -201,7 +201,7 @@ static void gloss_host_unpin(struct gloss_host *host)
 	gloss_pages_uncharge(host->payer, gloss_host_page_count(host));
 }
 
-static void gloss_host_unmap(struct gloss_host *host)
+static void gloss_host_unmap(struct gloss_host_object *host)
 {
 	if (host->list) {
 		if (!gloss_host_imported(host))
@@ -210,7 +210,7 @@ static void gloss_host_unmap(struct gloss_host *host)
 	}
 }
 
-static int gloss_host_map(struct gloss_host *host, struct gloss_file *file)
+static int gloss_host_map(struct gloss_host_object *host, struct gloss_file *file)
 {
 	int ret;
 
@@ -224,7 +224,7 @@ static int gloss_host_map(struct gloss_host *host, struct gloss_file *file)
 }
 
 /* Takes an object that no job uses off the list of these; under gloss_hosts.idle_lock. */
-void gloss_host_set_busy(struct gloss_host *host)
+void gloss_host_set_busy(struct gloss_host_object *host)
 {
 	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
 
@@ -234,7 +234,7 @@ void gloss_host_set_busy(struct gloss_host *host)
 	hosts->idle_pages -= gloss_host_page_count(host);
 }
 
-static void gloss_host_begin_use(struct gloss_host *host)
+static void gloss_host_begin_use(struct gloss_host_object *host)
 {
 	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
 
@@ -248,7 +248,7 @@ static void gloss_host_begin_use(struct gloss_host *host)
  * Makes sure that the board can reach the object, as long as the board is there, until
  * gloss_host_end_use(). Pages that have to be pinned for that are charged to @file.
  */
-int gloss_host_use(struct gloss_host *host, struct gloss_file *file)
+int gloss_host_use(struct gloss_host_object *host, struct gloss_file *file)
 {
 	int ret, idx;
 
@@ -266,7 +266,7 @@ int gloss_host_use(struct gloss_host *host, struct gloss_file *file)
 	return ret;
 }
 
-void gloss_host_end_use(struct gloss_host *host)
+void gloss_host_end_use(struct gloss_host_object *host)
 {
 	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
 
@@ -279,7 +279,7 @@ void gloss_host_end_use(struct gloss_host *host)
 }
 
 /* Unpins an object that no job uses, if that takes no waiting; how many pages that were. */
-unsigned long gloss_host_try_unpin(struct gloss_host *host)
+unsigned long gloss_host_try_unpin(struct gloss_host_object *host)
 {
 	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
 	unsigned long freed = 0;
@@ -302,7 +302,7 @@ unsigned long gloss_host_try_unpin(struct gloss_host *host)
 	return freed;
 }
 
-static void gloss_host_unmap_import(struct gloss_host *host)
+static void gloss_host_unmap_import(struct gloss_host_object *host)
 {
 	if (gloss_host_imported(host) && host->base.sgt) {
 		gloss_compat_dma_buf_unmap(host->attach, host->base.sgt);
@@ -317,7 +317,7 @@ static void gloss_host_unmap_import(struct gloss_host *host)
 void gloss_hosts_unmap(struct gloss_device *gdev)
 {
 	struct gloss_hosts *hosts = &gdev->hosts;
-	struct gloss_host *host;
+	struct gloss_host_object *host;
 
 	mutex_lock(&hosts->lock);
 	list_for_each_entry(host, &hosts->list, node) {
@@ -341,7 +341,7 @@ int gloss_hosts_init(struct gloss_device *gdev)
 
 static void gloss_host_free(struct drm_gem_object *object)
 {
-	struct gloss_host *host = to_gloss_host(object);
+	struct gloss_host_object *host = to_gloss_host(object);
 	struct gloss_hosts *hosts = &to_gloss_device(object->dev)->hosts;
 
 	mutex_lock(&host->lock);
@@ -419,10 +419,10 @@ const struct drm_gem_object_funcs gloss_host_funcs = {
 /* drm_driver.gem_create_object: the shmem helpers fill in the rest. */
 struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size)
 {
-	struct gloss_host *host = kzalloc(sizeof(*host), GFP_KERNEL_ACCOUNT);
+	struct gloss_host_object *host = kzalloc(sizeof(*host), GFP_KERNEL_ACCOUNT);
 
 	/* drm_gem_shmem_free() frees what it knows of, and with that all of it. */
-	BUILD_BUG_ON(offsetof(struct gloss_host, base));
+	BUILD_BUG_ON(offsetof(struct gloss_host_object, base));
 	if (!host)
 		return ERR_PTR(-ENOMEM);
 
@@ -436,7 +436,7 @@ struct drm_gem_object *gloss_host_new(struct drm_device *drm, size_t size)
 	return &host->base.base;
 }
 
-static void gloss_hosts_add(struct gloss_host *host)
+static void gloss_hosts_add(struct gloss_host_object *host)
 {
 	struct gloss_hosts *hosts = &to_gloss_device(host->base.base.dev)->hosts;
 

@@ -12,10 +12,10 @@ struct host_piece {
 	unsigned int length;
 };
 
-static struct gloss_host *host_imported(struct kunit *test, const struct host_piece *pieces,
-					unsigned int count)
+static struct gloss_host_object *host_imported(struct kunit *test, const struct host_piece *pieces,
+					       unsigned int count)
 {
-	struct gloss_host *host = kunit_kzalloc(test, sizeof(*host), GFP_KERNEL);
+	struct gloss_host_object *host = kunit_kzalloc(test, sizeof(*host), GFP_KERNEL);
 	struct gloss_device *gdev = kunit_kzalloc(test, sizeof(*gdev), GFP_KERNEL);
 	struct sg_table *sgt = kunit_kzalloc(test, sizeof(*sgt), GFP_KERNEL);
 	struct scatterlist *sg;
@@ -44,7 +44,7 @@ static void host_list_has_each_page_of_each_piece(struct kunit *test)
 	const struct host_piece pieces[] = {
 		{ 0x1000, 0x1000 }, { 0x7fffff000, 0x2000 }, { 0x5000, 0x1000 },
 	};
-	struct gloss_host *host = host_imported(test, pieces, ARRAY_SIZE(pieces));
+	struct gloss_host_object *host = host_imported(test, pieces, ARRAY_SIZE(pieces));
 
 	KUNIT_ASSERT_EQ(test, gloss_host_list_pages(host), 0);
 	KUNIT_EXPECT_EQ(test, le64_to_cpu(host->list[0]), 0x1000);
@@ -56,7 +56,7 @@ static void host_list_has_each_page_of_each_piece(struct kunit *test)
 static void host_list_ends_with_the_object(struct kunit *test)
 {
 	const struct host_piece pieces[] = { { 0x1000, 0x3000 }, { 0x9000, 0x8000 } };
-	struct gloss_host *host = host_imported(test, pieces, ARRAY_SIZE(pieces));
+	struct gloss_host_object *host = host_imported(test, pieces, ARRAY_SIZE(pieces));
 
 	KUNIT_ASSERT_EQ(test, gloss_host_list_pages(host), 0);
 	KUNIT_EXPECT_EQ(test, le64_to_cpu(host->list[3]), 0x9000);
@@ -87,8 +87,8 @@ void gloss_file_put(struct gloss_file *gfile)
 static void host_is_used_beside_one_that_is_locked(struct kunit *test)
 {
 	const struct host_piece pieces[] = { { 0x1000, 0x4000 } };
-	struct gloss_host *pinned = host_imported(test, pieces, 1);
-	struct gloss_host *host = host_imported(test, pieces, 1);
+	struct gloss_host_object *pinned = host_imported(test, pieces, 1);
+	struct gloss_host_object *host = host_imported(test, pieces, 1);
 
 	mutex_init(&pinned->lock);
 	mutex_init(&host->lock);

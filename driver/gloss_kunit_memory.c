@@ -34,9 +34,9 @@ static void memory_test_exit(struct kunit *test)
 	drm_mm_takedown(&gdev->memory.mm);
 }
 
-static struct gloss_board *memory_board(struct kunit *test, u64 size)
+static struct gloss_board_object *memory_board(struct kunit *test, u64 size)
 {
-	struct gloss_board *board = kunit_kzalloc(test, sizeof(*board), GFP_KERNEL);
+	struct gloss_board_object *board = kunit_kzalloc(test, sizeof(*board), GFP_KERNEL);
 	struct gloss_device *gdev = test->priv;
 
 	KUNIT_ASSERT_NOT_NULL(test, board);
@@ -57,7 +57,7 @@ static void memory_objects_share_no_tile(struct kunit *test)
 	unsigned int i;
 
 	for (i = 1; i < 20; i++) {
-		struct gloss_board *board = memory_board(test, i * GLOSS_PAGE_BYTES);
+		struct gloss_board_object *board = memory_board(test, i * GLOSS_PAGE_BYTES);
 
 		KUNIT_EXPECT_EQ(test, board->node.start % tile, 0);
 		KUNIT_EXPECT_EQ(test, board->node.size % tile, 0);
@@ -68,7 +68,7 @@ static void memory_objects_share_no_tile(struct kunit *test)
 static void memory_all_of_it_can_be_had(struct kunit *test)
 {
 	struct gloss_device *gdev = test->priv;
-	struct gloss_board none = {};
+	struct gloss_board_object none = {};
 
 	memory_board(test, MEMORY_SIZE);
 	KUNIT_EXPECT_EQ(test, gloss_memory_insert(&gdev->memory, &none, gdev->memory.granule),
@@ -84,7 +84,7 @@ static void memory_clear_covers_every_byte_once(struct kunit *test)
 	unsigned int i, j;
 
 	for (i = 0; i < ARRAY_SIZE(sizes); i++) {
-		struct gloss_board *board;
+		struct gloss_board_object *board;
 		u64 at;
 
 		gloss_kunit_jobs_init(test);
@@ -110,7 +110,7 @@ static void memory_clear_job_may_only_write(struct kunit *test)
 
 static void memory_is_cleared_once(struct kunit *test)
 {
-	struct gloss_board *board = memory_board(test, 1);
+	struct gloss_board_object *board = memory_board(test, 1);
 
 	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
 	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);
@@ -120,7 +120,7 @@ static void memory_is_cleared_once(struct kunit *test)
 /* Else a job could use what only the first try was for. */
 static void memory_clear_that_fails_is_done_again(struct kunit *test)
 {
-	struct gloss_board *board = memory_board(test, MEMORY_SIZE / 2);
+	struct gloss_board_object *board = memory_board(test, MEMORY_SIZE / 2);
 	unsigned int before;
 
 	gloss_kunit_jobs->fail_at = 2;
@@ -137,7 +137,7 @@ static void memory_clear_that_fails_is_done_again(struct kunit *test)
 /* What the board gets of a clearing, and that it fails, is told by its jobs. */
 static void memory_clear_that_failed_is_done_anew(struct kunit *test)
 {
-	struct gloss_board *board = memory_board(test, 2 * GLOSS_CLEAR_JOB_BYTES);
+	struct gloss_board_object *board = memory_board(test, 2 * GLOSS_CLEAR_JOB_BYTES);
 	struct gloss_job *job = gloss_kunit_jobs->job;
 
 	KUNIT_ASSERT_EQ(test, gloss_clear_board(board, NULL, 0), 0);

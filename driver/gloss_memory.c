@@ -32,7 +32,8 @@ int gloss_memory_init(struct gloss_device *gdev)
 	return drmm_add_action_or_reset(&gdev->drm, gloss_memory_fini, NULL);
 }
 
-static int gloss_memory_insert(struct gloss_memory *memory, struct gloss_board *board, u64 size)
+static int gloss_memory_insert(struct gloss_memory *memory, struct gloss_board_object *board,
+			       u64 size)
 {
 	int ret;
 
@@ -45,7 +46,7 @@ static int gloss_memory_insert(struct gloss_memory *memory, struct gloss_board *
 
 /* A range of @size bytes that @file pays for; it is the board's from then on. */
 static int gloss_memory_take(struct gloss_memory *memory, struct gloss_file *file,
-			     struct gloss_board *board, u64 size)
+			     struct gloss_board_object *board, u64 size)
 {
 	int ret;
 
@@ -67,7 +68,7 @@ static int gloss_memory_take(struct gloss_memory *memory, struct gloss_file *fil
  * after such a moment.
  */
 static int gloss_memory_find(struct gloss_device *gdev, struct gloss_file *file,
-			     struct gloss_board *board, u64 size)
+			     struct gloss_board_object *board, u64 size)
 {
 	int ret = gloss_memory_take(&gdev->memory, file, board, size);
 	long left;
@@ -82,7 +83,7 @@ static int gloss_memory_find(struct gloss_device *gdev, struct gloss_file *file,
 
 static void gloss_board_free(struct drm_gem_object *object)
 {
-	struct gloss_board *board = to_gloss_board(object);
+	struct gloss_board_object *board = to_gloss_board(object);
 	struct gloss_memory *memory = &to_gloss_device(object->dev)->memory;
 
 	if (drm_mm_node_allocated(&board->node)) {
@@ -113,7 +114,7 @@ const struct drm_gem_object_funcs gloss_board_funcs = {
 struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, struct gloss_file *file,
 					  u64 size)
 {
-	struct gloss_board *board;
+	struct gloss_board_object *board;
 	int ret;
 
 	board = kzalloc(sizeof(*board), GFP_KERNEL_ACCOUNT);
@@ -132,14 +133,15 @@ struct drm_gem_object *gloss_board_create(struct gloss_device *gdev, struct glos
 }
 
 /* The first object that begins at @from or after it, with a reference; or NULL. */
-static struct gloss_board *gloss_memory_next(struct gloss_memory *memory, u64 from)
+static struct gloss_board_object *gloss_memory_next(struct gloss_memory *memory, u64 from)
 {
-	struct gloss_board *found = NULL;
+	struct gloss_board_object *found = NULL;
 	struct drm_mm_node *node;
 
 	mutex_lock(&memory->lock);
 	drm_mm_for_each_node(node, &memory->mm) {
-		struct gloss_board *board = container_of(node, struct gloss_board, node);
+		struct gloss_board_object *board =
+			container_of(node, struct gloss_board_object, node);
 
 		if (node->start >= from && kref_get_unless_zero(&board->base.refcount)) {
 			found = board;
@@ -153,7 +155,7 @@ static struct gloss_board *gloss_memory_next(struct gloss_memory *memory, u64 fr
 /* The board was without power: who knows what its memory holds. */
 void gloss_memory_clear(struct gloss_device *gdev)
 {
-	struct gloss_board *board;
+	struct gloss_board_object *board;
 	u64 from = 0;
 
 	while ((board = gloss_memory_next(&gdev->memory, from))) {

@@ -97,7 +97,7 @@ void gloss_pages_put(struct drm_gem_object *object, struct page **pages)
 /* ---- the shrinker ---- */
 
 /* Not here: the last reference to an object may not be dropped while memory is reclaimed. */
-static void gloss_pages_drop(struct gloss_host *host)
+static void gloss_pages_drop(struct gloss_host_object *host)
 {
 	if (!refcount_dec_not_one(&host->base.base.refcount.refcount))
 		queue_work(to_gloss_device(host->base.base.dev)->free_wq, &host->put);
@@ -105,19 +105,19 @@ static void gloss_pages_drop(struct gloss_host *host)
 
 void gloss_pages_put_work(struct work_struct *work)
 {
-	struct gloss_host *host = container_of(work, struct gloss_host, put);
+	struct gloss_host_object *host = container_of(work, struct gloss_host_object, put);
 
 	drm_gem_object_put(&host->base.base);
 }
 
 /* The object that has been idle for longest, with a reference; it is in no list then. */
-static struct gloss_host *gloss_pages_oldest(struct gloss_hosts *hosts)
+static struct gloss_host_object *gloss_pages_oldest(struct gloss_hosts *hosts)
 {
-	struct gloss_host *host, *found = NULL;
+	struct gloss_host_object *host, *found = NULL;
 
 	spin_lock(&hosts->idle_lock);
 	while (!found && !list_empty(&hosts->idle)) {
-		host = list_first_entry(&hosts->idle, struct gloss_host, idle);
+		host = list_first_entry(&hosts->idle, struct gloss_host_object, idle);
 		gloss_host_set_busy(host);
 		if (kref_get_unless_zero(&host->base.base.refcount))
 			found = host;
@@ -130,7 +130,7 @@ static struct gloss_host *gloss_pages_oldest(struct gloss_hosts *hosts)
 unsigned long gloss_pages_shrink(struct gloss_hosts *hosts, unsigned long wanted)
 {
 	unsigned long freed = 0;
-	struct gloss_host *host;
+	struct gloss_host_object *host;
 
 	while (freed < wanted && get_nr_swap_pages() > 0 && (host = gloss_pages_oldest(hosts))) {
 		freed += gloss_host_try_unpin(host);

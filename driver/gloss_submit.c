@@ -62,8 +62,8 @@ static bool gloss_submit_inside(u64 offset, u64 bytes, u64 size)
  * A host object with @bytes at @offset, which the board can reach; the reference is the
  * caller's, and the use, which gloss_gem_end_use() ends.
  */
-static struct gloss_host *gloss_submit_find_host(struct drm_file *file, u32 handle, u64 offset,
-						 u64 bytes, u64 align)
+static struct gloss_host_object *gloss_submit_find_host(struct drm_file *file, u32 handle,
+							u64 offset, u64 bytes, u64 align)
 {
 	struct drm_gem_object *object = drm_gem_object_lookup(file, handle);
 	int ret = -EINVAL;
@@ -88,7 +88,7 @@ static struct gloss_host *gloss_submit_find_host(struct drm_file *file, u32 hand
 static int gloss_submit_words(struct gloss_job *job, struct drm_file *file, u32 handle, u64 offset,
 			      u32 words, bool write, dma_addr_t *list)
 {
-	struct gloss_host *host;
+	struct gloss_host_object *host;
 
 	if (!words)
 		return handle || offset ? -EINVAL : 0;
@@ -110,7 +110,7 @@ static int gloss_submit_words(struct gloss_job *job, struct drm_file *file, u32 
 static int gloss_submit_status(struct gloss_job *job, struct drm_file *file, u32 handle,
 			       u64 offset)
 {
-	struct gloss_host *host;
+	struct gloss_host_object *host;
 
 	if (!handle)
 		return offset ? -EINVAL : 0;
