@@ -16,12 +16,15 @@
 void usb_words_add(struct usb_words *words, const uint32_t *word, uint32_t count)
 {
 	if (words->count + count > words->room) {
-		words->room = 2 * words->room + count;
-		words->word = realloc(words->word, 4 * (size_t)words->room);
-		if (!words->word) {
+		uint32_t room = 2 * words->room + count;
+		uint32_t *grown = realloc(words->word, sizeof(*grown) * room);
+
+		if (!grown) {
 			fputs("usb_host: out of memory\n", stderr);
 			abort();
 		}
+		words->word = grown;
+		words->room = room;
 	}
 	if (count)
 		memcpy(words->word + words->count, word, 4 * (size_t)count);

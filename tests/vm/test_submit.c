@@ -127,8 +127,7 @@ static void send_rows(const struct row *rows, size_t count)
 		apply(&job, &rows[i]);
 		err = client_submit(&client, &job);
 		if (err != rows[i].error) {
-			print_error("%s: %s, not %s\n", rows[i].name, strerror(-err),
-				    strerror(-rows[i].error));
+			print_error("%s: error %d, not %d\n", rows[i].name, err, rows[i].error);
 			wrong++;
 		}
 		if (!err && node_wait(client.fd, client.timeline, client.point, vm_patience_ms()))
