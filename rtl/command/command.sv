@@ -281,4 +281,24 @@ module command #(
     .response_data_o (response_data_o)
   );
 
+`ifndef SYNTHESIS
+  logic response_waits_q, status_waits_q;  // it was offered a clock ago, and not taken
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) {response_waits_q, status_waits_q} <= '0;
+    else {response_waits_q, status_waits_q} <= {response_valid_o && !response_ready_i,
+                                                status_valid_o && !status_ready_i};
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      response_stays: assert (!response_waits_q || (response_valid_o &&
+                              $stable({response_count_o, response_data_o})));
+      response_has_words: assert (!response_valid_o || (response_count_o != '0 &&
+                                  response_count_o <= 4'(PixelsPerClock)));
+      status_stays: assert (!status_waits_q || (status_valid_o && $stable(status_o)));
+    end
+  end
+`endif
+
 endmodule

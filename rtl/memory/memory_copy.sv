@@ -151,4 +151,12 @@ module memory_copy #(
     .data_o (response_data_o)
   );
 
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      data_after_address: assert (ahead_q >= 0 || (ahead_q == -1 && write_valid_o));
+    end
+  end
+`endif
+
 endmodule

@@ -165,4 +165,27 @@ module port_gate #(
     end
   end
 
+`ifndef SYNTHESIS
+  axi_rules #(
+    .AddressBits(AddressBits),
+    .DataBits   (DataBits)
+  ) u_rules (
+    .clk_i    (clk_i),
+    .rst_ni   (rst_ni),
+    .awvalid_i(axi_awvalid_o),
+    .awready_i(axi_awready_i),
+    .awaddr_i (axi_awaddr_o),
+    .awlen_i  (axi_awlen_o),
+    .wvalid_i (axi_wvalid_o),
+    .wready_i (axi_wready_i),
+    .wdata_i  (axi_wdata_o),
+    .wstrb_i  (axi_wstrb_o),
+    .wlast_i  (axi_wlast_o),
+    .arvalid_i(axi_arvalid_o),
+    .arready_i(axi_arready_i),
+    .araddr_i (axi_araddr_o),
+    .arlen_i  (axi_arlen_o)
+  );
+`endif
+
 endmodule

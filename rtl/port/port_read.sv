@@ -59,8 +59,7 @@ module port_read #(
     if (give) taken_o = untaken_q < Lanes ? untaken_q[2:0] : 3'(Lanes);
   end
 
-  // Every beat that was asked for has its place.
-  logic unused;
+  logic room;  // always: only beats that have their place are requested
   ram_fifo #(
     .Width(StreamBits),
     .Depth(Room)
@@ -68,7 +67,7 @@ module port_read #(
     .clk_i  (clk_i),
     .rst_ni (rst_ni),
     .valid_i(beat_valid_i),
-    .ready_o(unused),
+    .ready_o(room),
     .data_i (beat_data_i),
     .valid_o(stream_valid_o),
     .ready_i(stream_ready_i),
@@ -90,5 +89,13 @@ module port_read #(
       room_q <= room_q - (request ? RoomBits'(length) + 1'b1 : '0) + RoomBits'(give);
     end
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      beat_has_room: assert (room || !beat_valid_i);
+    end
+  end
+`endif
 
 endmodule

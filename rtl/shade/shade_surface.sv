@@ -181,4 +181,26 @@ module shade_surface #(
     .level_o (level_o)
   );
 
+`ifndef SYNTHESIS
+  gloss_pkg::surface_t surface_q;  // a clock ago
+  logic                value_load, value_held_q;
+  logic [2:0]          clocked = '0;  // without a reset, registers hold anything for three clocks
+
+  assign value_load = value_en_q && value_move_q == gloss_pkg::MOVE_LOAD;
+
+  always_ff @(posedge clk_i) begin
+    surface_q <= surface_i;
+    value_held_q <= surface_q.i == surface_i.i;
+    clocked <= {clocked[1:0], 1'b1};
+    if (clocked[2]) begin
+      slopes_stay: assert (!slope_clear ||
+          {surface_q.dx, surface_q.dy, surface_q.dxx, surface_q.dxy, surface_q.dyy} ==
+          {surface_i.dx, surface_i.dy, surface_i.dxx, surface_i.dxy, surface_i.dyy});
+      value_stays: assert (!value_load || (surface_q.i == surface_i.i && value_held_q));
+      across_ready: assert (!slope_clear || origin_across == {surface_i.dx, 1'b0} +
+                            ({1'b0, surface_i.dxx} << Shift) - {1'b0, surface_i.dxx});
+    end
+  end
+`endif
+
 endmodule

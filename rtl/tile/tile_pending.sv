@@ -102,4 +102,21 @@ module tile_pending #(
   assign unused = &{1'b0, tile_end_i.colour[UnitBits-1:0], tile_end_i.colour_pitch[UnitBits-1:0],
                     tile_end_i.depth[UnitBits-1:0], tile_end_i.depth_pitch[UnitBits-1:0]};
 
+`ifndef SYNTHESIS
+  logic [3:0] unread, unfinished;  // tiles that have ended and are not yet read, or not yet done
+  assign unread = ended_q - read_i;
+  assign unfinished = ended_q - done_q;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      colour_in_units: assert (!take || tile_end_i.colour_output != gloss_pkg::TILE_OUTPUT_STORE ||
+          {tile_end_i.colour[UnitBits-1:0], tile_end_i.colour_pitch[UnitBits-1:0]} == '0);
+      depth_in_units: assert (!take || tile_end_i.depth_output != gloss_pkg::TILE_OUTPUT_STORE ||
+          {tile_end_i.depth[UnitBits-1:0], tile_end_i.depth_pitch[UnitBits-1:0]} == '0);
+      read_after_end: assert (unread <= unfinished);
+      row_of_a_tile: assert (!(row_stored_i || row_answered_i) || unfinished != '0);
+    end
+  end
+`endif
+
 endmodule

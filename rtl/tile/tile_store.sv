@@ -220,4 +220,27 @@ module tile_store #(
   assign store_data_o = out_word;
   assign store_data_last_o = out_last;
 
+`ifndef SYNTHESIS
+  logic [7:0] ahead_q;     // rows whose address was out, less those whose last data were taken
+  logic       offered_q;   // the address that waits is among them
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      ahead_q <= '0;
+      offered_q <= 1'b0;
+    end else begin
+      ahead_q <= ahead_q + 8'(store_valid_o && !offered_q)
+          - 8'(store_data_valid_o && store_data_ready_i && store_data_last_o);
+      offered_q <= store_valid_o && !store_ready_i;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      address_before_data: assert (!store_data_valid_o || ahead_q != '0 ||
+                                   (store_valid_o && !offered_q));
+    end
+  end
+`endif
+
 endmodule

@@ -8,7 +8,7 @@ port_counters = $(or $(word 4,$(1)),1)
 port_set = $(call raster_set,$(1)) -GTimeCounters=$(call port_counters,$(1))
 port_define = $(call raster_define,$(1)) -DTIME_COUNTERS=$(call port_counters,$(1))
 PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
-	core_parameters.sv ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
+	axi_rules.sv core_parameters.sv ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
 PORT_TB_NEEDS := $(addprefix tests/rtl/,port_access.h port_core.h tb.h) \
 	driver/gloss_regs.h libaccel/gloss_packets.h
 PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h)
@@ -56,7 +56,7 @@ $(foreach port,pci usb,$(eval $(call port_rules,$(port))))
 PORT_BENCHES := $(PORT_BENCHES_pci) $(PORT_BENCHES_usb) \
 	$(addprefix $(BUILD)/rtl/,gate-1/bench gate-8/bench)
 
-GATE_SOURCES := rtl/port/port_gate.sv rtl/lib/stream_fifo.sv rtl/lib/stream_register.sv
+GATE_SOURCES := rtl/port/port_gate.sv rtl/lib/axi_rules.sv rtl/lib/stream_fifo.sv rtl/lib/stream_register.sv
 $(BUILD)/rtl/gate-%/bench: tests/rtl/tb_port_gate.cpp tests/rtl/memory_axi.h tests/rtl/tb.h $(GATE_SOURCES)
 	$(call quiet,RTL,$@)
 	$(Q)mkdir -p $(@D)
