@@ -59,7 +59,7 @@ static bool secrets(struct client *client, bool check)
 			count = node_write(client->stream, 0, 4 * at, words, AT_ONCE);
 		if (client_run(client, count, check ? AT_ONCE : 0))
 			return false;
-		if (check && memcmp(client->response, words, sizeof(words)))
+		if (check && memcmp(client->response, words, sizeof(words)) != 0)
 			return false;
 	}
 	return true;
@@ -368,7 +368,7 @@ static bool is_clear(struct client *client, uint32_t handle, uint64_t size)
 		client->response[0] = SENTINEL;
 		client->response[count - 1] = SENTINEL;
 		if (client_submit(client, &job) || client_wait(client, vm_patience_ms()) ||
-		    memcmp(client->response, zero, 4 * (size_t)count))
+		    memcmp(client->response, zero, 4 * (size_t)count) != 0)
 			return false;
 	}
 	return true;
