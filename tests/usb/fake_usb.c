@@ -27,14 +27,9 @@ void fake_unlock(void)
 	pthread_mutex_unlock(&fake.lock);
 }
 
-/* The processor may come back late on a busy machine, so it is only given away for somebody. */
+/* Others may want the lock. */
 void fake_give_way(void)
 {
-	static unsigned int rounds;
-
-	/* Of those that waited for a condition nobody knows; and time must not leap away from them. */
-	if (!waiting && ++rounds % (fake.leap_always ? 8 : 64))
-		return;
 	fake_unlock();
 	sched_yield();
 	fake_lock();

@@ -144,16 +144,11 @@ int __wrap_pthread_cond_timedwait(pthread_cond_t *cond, pthread_mutex_t *mutex,
 					     realtime ? CLOCK_REALTIME : CLOCK_MONOTONIC, deadline);
 }
 
-/* Many short sleeps leave the processor to others as often as a leap would. */
 int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
 {
-	static _Atomic int64_t slept;
-	int64_t ns = to_ns(time), before = atomic_fetch_add(&slept, ns);
-
 	(void)left;
-	fake_clock_leap(ns);
-	if (before / LEAP_NS != (before + ns) / LEAP_NS)
-		sched_yield();
+	fake_clock_leap(to_ns(time));
+	sched_yield();
 	return 0;
 }
 

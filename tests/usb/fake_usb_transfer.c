@@ -359,10 +359,10 @@ static void events_handle(struct libusb_context *context, int64_t deadline, cons
 		bool moved = fake_bridge_pump();
 		int64_t next = time_out();
 
-		if (fake.leap_always)
-			fake_clock_leap(ROUND_NS);
 		if (dispatch(context) || fake_usb_now_ns() >= deadline)
 			break;
+		if (fake.leap_always)
+			fake_clock_leap(ROUND_NS);
 		if (moved)
 			fake_give_way();
 		else
