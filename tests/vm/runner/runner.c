@@ -226,6 +226,13 @@ static void run_test(const struct plan_test *test)
 		bring_boards_back();
 }
 
+static bool prepare_checkers(void)
+{
+	char *nothing[] = { "true", NULL };
+
+	return !plan.debug || run_step("checkers-speak", nothing, debug_speak);
+}
+
 static void run_kunit(void)
 {
 	char module[512];
@@ -312,7 +319,7 @@ int main(int argc, char **argv)
 		run_shell();
 		runner_end(false);
 	}
-	if (load())
+	if (prepare_checkers() && load())
 		run_all();
 	printf("vm: %d passed, %d failed, %d skipped\n", passed, failed, skipped);
 	runner_end(failed);

@@ -84,6 +84,7 @@ void program_run(struct program *program, int log_fd, int board_fd);
 double program_clock(void);
 
 /* Each returns what is wrong, or NULL. */
+const char *debug_speak(void);
 const char *debug_leaks(void);
 const char *debug_state(void);
 /* The tests of what was loaded since log_keep(). */
