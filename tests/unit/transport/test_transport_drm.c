@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Jobs through the kernel module, on the kernel of fake_gloss.h. */
+#define _GNU_SOURCE
 #include <poll.h>
 #include <time.h>
 #include <unistd.h>
@@ -363,7 +364,7 @@ static void fail_one(void **state, unsigned int request, unsigned int at, int er
 	fake_gloss.fail_at = at;
 	if (live(*state) != answer)
 		fail_msg("call %u of ioctl %#x failed with %s, and the answer was not %s", at,
-			 request, strerror(error), strerror(-answer));
+			 request, strerrorname_np(error), strerrorname_np(-answer));
 	assert_int_equal(fake_gloss.fail_at, 0);
 	assert_int_equal(live(*state), 0);
 }

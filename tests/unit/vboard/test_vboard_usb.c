@@ -353,7 +353,6 @@ static void long_streams_and_answers_are_whole(void **state)
 	const struct gloss_read_memory read = { .count = COUNT };
 	const uint32_t chunks = (COUNT + GLOSS_USB_CHUNK_WORDS - 1) / GLOSS_USB_CHUNK_WORDS;
 	const struct test_answer *answer;
-	const uint32_t *word;
 	uint32_t at = 0, n = 0;
 
 	(void)state;
@@ -371,9 +370,12 @@ static void long_streams_and_answers_are_whole(void **state)
 	submit_job(1, stream, at + 1 + GLOSS_READ_MEMORY_WORDS, COUNT);
 	answer = peer_transfer(&peer, GLOSS_USB_ENDPOINT_IN, NULL, 1 << 20);
 	assert_int_equal(answer->length, 4 * (COUNT + chunks + GLOSS_USB_COMPLETION_WORDS));
-	word = (const uint32_t *)(const void *)answer->data;
-	for (n = 0; n < COUNT; n++)
-		assert_int_equal(word[n + n / GLOSS_USB_CHUNK_WORDS + 1], n);
+	for (n = 0; n < COUNT; n++) {
+		uint32_t word;
+
+		memcpy(&word, answer->data + 4 * (n + n / GLOSS_USB_CHUNK_WORDS + 1), 4);
+		assert_int_equal(word, n);
+	}
 }
 
 static void a_fault_is_an_event_that_waits_for_who_listens(void **state)
