@@ -343,7 +343,6 @@ static void plug_in(void)
 	struct fake_usb_board *board = &fake_usb.board[0];
 
 	fake_usb_start(head->jobs);
-	fake_usb_leap(true);
 	fake_usb_unplug(0);
 	hostile.honest = head->flags & FUZZ_USB_SMALL ? &gloss_usb_board_model_t32 :
 							&gloss_usb_board_model_t64;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The bus of fake_usb.h as a test has it in hand. */
-#include <sched.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,26 +8,60 @@
 #include "fake_usb_priv.h"
 
 struct fake_usb fake_usb;
-struct fake_state fake = { .lock = PTHREAD_MUTEX_INITIALIZER };
+struct fake_state fake = {
+	.mutex = PTHREAD_MUTEX_INITIALIZER,
+	.turn = PTHREAD_COND_INITIALIZER,
+};
 
 static uint8_t memory[FAKE_USB_BOARDS][FAKE_USB_BOARD_BYTES] __attribute__((aligned(4096)));
 
+/* ---- the lock ---- */
+
+/* In the order in which they came: who always wants it again would keep it for himself else. */
+static void lock_take(void)
+{
+	unsigned int ticket = fake.next_ticket++;
+
+	while (fake.ticket != ticket)
+		pthread_cond_wait(&fake.turn, &fake.mutex);
+}
+
+static void lock_pass_on(void)
+{
+	fake.ticket++;
+	if (fake.ticket != fake.next_ticket)
+		pthread_cond_broadcast(&fake.turn);
+}
+
 void fake_lock(void)
 {
-	pthread_mutex_lock(&fake.lock);
+	pthread_mutex_lock(&fake.mutex);
+	lock_take();
+	pthread_mutex_unlock(&fake.mutex);
 }
 
 void fake_unlock(void)
 {
-	pthread_mutex_unlock(&fake.lock);
+	pthread_mutex_lock(&fake.mutex);
+	lock_pass_on();
+	pthread_mutex_unlock(&fake.mutex);
 }
 
-/* Others may want the lock. */
 void fake_give_way(void)
 {
-	fake_unlock();
-	sched_yield();
-	fake_lock();
+	pthread_mutex_lock(&fake.mutex);
+	lock_pass_on();
+	lock_take();
+	pthread_mutex_unlock(&fake.mutex);
+}
+
+void fake_wait(int64_t deadline, int64_t due)
+{
+	pthread_mutex_lock(&fake.mutex);
+	lock_pass_on();
+	fake_clock_wait(&fake.changed, &fake.mutex, deadline, due);
+	lock_take();
+	pthread_mutex_unlock(&fake.mutex);
 }
 
 void fake_violation(const char *format, ...)
@@ -67,7 +100,6 @@ int fake_call(const char *function)
 	    --fake.fail_at)
 		return 0;
 	fake_usb.fired++;
-	fake.hurry = true;
 	return fake.fail_error;
 }
 
@@ -99,7 +131,7 @@ static void board_default(struct fake_usb_board *board)
 static void state_start(uint64_t seed)
 {
 	fake.seed = seed;
-	fake.held = fake.leap_always = fake.hurry = false;
+	fake.held = false;
 	fake.fail_at = 0;
 	fake.fail_always = false;
 	fake.bytes_in_flight = fake.memory_limit = 0;
@@ -111,6 +143,7 @@ void fake_usb_start(uint64_t seed)
 {
 	fake_usb = (struct fake_usb){ .calls = 0 };
 	state_start(seed);
+	fake_clock_start();
 	for (unsigned int n = 0; n < FAKE_USB_BOARDS; n++) {
 		board_default(&fake_usb.board[n]);
 		fake_bridge_start(&fake.bridge[n], n);
@@ -127,6 +160,7 @@ static void check_gone(const char *what, unsigned int count)
 
 void fake_usb_stop(void)
 {
+	fake_clock_stop();
 	check_gone("hotplug callbacks", fake_usb.hotplug_callbacks);
 	check_gone("transfers", fake_usb.transfers);
 	check_gone("handles", fake_usb.handles);
@@ -182,7 +216,6 @@ void fake_usb_disarm(void)
 		b->empties = 0;
 		b->hang_in = b->hang_out = b->garbage_event = false;
 	}
-	fake.hurry = false;
 	pthread_cond_broadcast(&fake.changed);
 	fake_unlock();
 }
@@ -212,7 +245,6 @@ void fake_usb_fail_always(const char *function, int error)
 	fake.fail_function = function;
 	fake.fail_always = true;
 	fake.fail_error = error;
-	fake.hurry = true;
 	fake_unlock();
 }
 
@@ -273,6 +305,7 @@ static void set_held(bool held)
 {
 	fake_lock();
 	fake.held = held;
+	fake_clock_stand(held);
 	pthread_cond_broadcast(&fake.changed);
 	fake_unlock();
 }
@@ -285,14 +318,6 @@ void fake_usb_hold(void)
 void fake_usb_release(void)
 {
 	set_held(false);
-}
-
-void fake_usb_leap(bool always)
-{
-	fake_lock();
-	fake.leap_always = always;
-	pthread_cond_broadcast(&fake.changed);
-	fake_unlock();
 }
 
 uint8_t *fake_usb_memory(unsigned int board)

@@ -25,9 +25,6 @@ bool fake_bridge_fault(struct fake_bridge *bridge, enum fake_usb_fault fault)
 	if (!bridge->at[fault] || --bridge->at[fault])
 		return false;
 	fake_usb.fired++;
-	/* Of these nobody has to find out by waiting. */
-	if (fault != FAKE_USB_SHORT_IN && fault != FAKE_USB_EMPTY_IN)
-		fake.hurry = true;
 	return true;
 }
 
@@ -142,7 +139,6 @@ static void register_write(struct fake_bridge *bridge, uint32_t offset, uint32_t
 {
 	if (offset == GLOSS_REG_CONTROL && value & GLOSS_REG_CONTROL_RESET) {
 		bridge->hang_in = bridge->hang_out = false;
-		fake.hurry = false;
 		fake_usb.resets++;
 		if (fake_bridge_fault(bridge, FAKE_USB_RESET_LASTS))
 			bridge->resets_last = bridge->value[FAKE_USB_RESET_LASTS];
@@ -158,7 +154,7 @@ static uint32_t register_read(struct fake_bridge *bridge, uint32_t offset)
 	if (offset != GLOSS_REG_CONTROL || !bridge->resets_last)
 		return value;
 	/* When it ends, what was sent meanwhile is gone. */
-	fake.hurry = --bridge->resets_last;
+	bridge->resets_last--;
 	if (!bridge->resets_last)
 		bridge->ops->write(bridge->board, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
 	return value | GLOSS_REG_CONTROL_RESET;
@@ -192,7 +188,6 @@ static bool control_fault(struct fake_bridge *bridge, enum fake_usb_fault fault,
 	if (!*left)
 		return false;
 	--*left;
-	fake.hurry = true;
 	return true;
 }
 

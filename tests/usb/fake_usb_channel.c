@@ -26,7 +26,6 @@ static void out_word(struct fake_bridge *bridge, uint32_t word)
 		bridge->garbage_out = bridge->value[FAKE_USB_GARBAGE_OUT] + 1;
 	if (bridge->garbage_out) {
 		bridge->garbage_out--;
-		fake.hurry = true;
 		word = fake_random();
 	}
 	bridge->out[(bridge->out_first + bridge->out_count++) % FAKE_OUT_WORDS] = word;
@@ -111,7 +110,6 @@ static void in_word(struct fake_bridge *bridge, struct fake_packet *packet, uint
 		bridge->garbage_in = bridge->value[FAKE_USB_GARBAGE_IN] + 1;
 	if (bridge->garbage_in) {
 		bridge->garbage_in--;
-		fake.hurry = true;
 		word = fake_random();
 	}
 	fake_put_word(packet->byte + packet->bytes, word);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the files of fake_usb.h share: the bus in fake_usb.c, time in fake_usb_clock.c, devices
+ * What the files of fake_usb.h share: the bus in fake_usb.c, time in fake_usb_clock.c, who
+ * sleeps meanwhile in fake_usb_idle.c; devices
  * in fake_usb_device.c, fake_usb_descriptor.c and, opened, fake_usb_handle.c; transfers and events
  * in fake_usb_transfer.c, calls made of these in fake_usb_sync.c; the cable in fake_usb_bridge.c,
  * and words on it in fake_usb_channel.c.
@@ -96,14 +97,15 @@ struct fake_bridge {
 };
 
 struct fake_state {
-	pthread_mutex_t lock; /* protects everything here and in fake_usb */
-	pthread_cond_t changed;
+	/* Who has the ticket may touch everything here and in fake_usb; mutex is for the tickets. */
+	pthread_mutex_t mutex;
+	unsigned int ticket, next_ticket;
+	pthread_cond_t turn, changed;
 	uint64_t seed;
 	struct fake_bridge bridge[FAKE_USB_BOARDS];
 	struct fake_list ended;
 	size_t bytes_in_flight, memory_limit;
 	bool held;
-	bool leap_always, hurry;
 
 	const char *fail_function; /* the fail_at-th call of it, 0: none */
 	unsigned int fail_at;
@@ -113,10 +115,13 @@ struct fake_state {
 
 extern struct fake_state fake;
 
+/* Fair. */
 void fake_lock(void);
 void fake_unlock(void);
 /* Lets others have the lock, if there are any. */
 void fake_give_way(void);
+/* Without the lock, for changed, until @deadline or @due at most; see fake_clock_wait(). */
+void fake_wait(int64_t deadline, int64_t due);
 void fake_violation(const char *format, ...) __attribute__((format(printf, 1, 2), noreturn));
 uint32_t fake_random(void);
 uint32_t fake_below(uint32_t limit);
@@ -125,14 +130,21 @@ int fake_call(const char *function);
 
 /* ---- time ---- */
 
-void fake_clock_leap(int64_t ns);
+void fake_clock_start(void);
+void fake_clock_stop(void);
 /*
- * Waits for changed, until @deadline at most; gives up the lock meanwhile. If nobody does
- * anything, time leaps to @due (INT64_MAX: nothing is), and in a hurry further.
+ * Waits for @cond, until @deadline or @due, whichever is first. Once all sleep, time leaps to
+ * @due (INT64_MAX: nothing is); to a deadline only in a hurry.
  */
-void fake_clock_wait(int64_t deadline, int64_t due);
-/* Waits for changed for a while, without leaping: somebody else may be at work. */
-void fake_clock_stand_by(void);
+void fake_clock_wait(pthread_cond_t *cond, pthread_mutex_t *mutex, int64_t deadline, int64_t due);
+/* Time does not leap while the boards are held, but for who sleeps. */
+void fake_clock_stand(bool value);
+void fake_clock_leap(int64_t ns);
+/* The bus has worked for a round. */
+void fake_clock_round(void);
+
+/* All threads but the caller and @clock. */
+bool fake_all_others_sleep(long clock);
 
 /* ---- devices; called with the lock held ---- */
 

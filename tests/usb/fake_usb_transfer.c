@@ -10,7 +10,6 @@
 #define NS_PER_US 1000ll
 #define NS_PER_MS 1000000ll
 #define NS_PER_S 1000000000ll
-#define ROUND_NS NS_PER_MS /* where time leaps always, a flood has an end, too */
 
 static struct fake_transfer transfers[FAKE_TRANSFERS];
 static unsigned int last_made;
@@ -188,7 +187,6 @@ int fake_transfer_submit(struct libusb_transfer *public, const char *function)
 	check_claim(transfer, function);
 	if (!has_memory(public)) {
 		fake_usb.fired++;
-		fake.hurry = true;
 		return LIBUSB_ERROR_NO_MEM;
 	}
 	fake.bytes_in_flight += (size_t)(public->length);
@@ -361,12 +359,11 @@ static void events_handle(struct libusb_context *context, int64_t deadline, cons
 
 		if (dispatch(context) || fake_usb_now_ns() >= deadline)
 			break;
-		if (fake.leap_always)
-			fake_clock_leap(ROUND_NS);
+		fake_clock_round();
 		if (moved)
 			fake_give_way();
 		else
-			fake_clock_wait(next < deadline ? next : deadline, next_due());
+			fake_wait(next < deadline ? next : deadline, next_due());
 	}
 	context->interrupted = false;
 	context->handled = false;
@@ -379,7 +376,7 @@ static void events_wait(struct libusb_context *context, int64_t deadline, const 
 
 	while (context->handled && fake_usb.callbacks == callbacks && !is_completed(completed) &&
 	       fake_usb_now_ns() < deadline)
-		fake_clock_stand_by();
+		fake_wait(deadline, INT64_MAX);
 }
 
 int fake_events(struct libusb_context *context, int64_t timeout_ns, int *completed)

@@ -208,7 +208,6 @@ static void a_transfer_times_out_without_waiting_outside(void **state)
 
 	(void)state;
 	bus_start();
-	fake_usb_leap(true);
 	host_open(&host);
 	before = fake_usb_now_ns();
 	transfer = transfer_new(&host, buffer, &ended, 100000);
@@ -424,7 +423,6 @@ static size_t echo(enum fake_usb_fault fault, uint32_t value, uint32_t *words, s
 	int moved, bytes = 0;
 
 	bus_start();
-	fake_usb_leap(true);
 	host_open(&host);
 	host_write(&host, GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_RESET);
 	host_write(&host, GLOSS_REG_NONCE, NONCE);

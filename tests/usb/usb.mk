@@ -4,7 +4,8 @@
 
 # A test that links FAKE_USB_OBJS, and wraps these names, leaves the real libusb out.
 FAKE_USB_OBJS := $(addprefix $(BUILD)/tests/usb/, fake_usb.o fake_usb_bridge.o fake_usb_channel.o \
-	fake_usb_clock.o fake_usb_descriptor.o fake_usb_device.o fake_usb_handle.o fake_usb_sync.o \
+	fake_usb_clock.o fake_usb_descriptor.o fake_usb_device.o fake_usb_handle.o \
+	fake_usb_idle.o fake_usb_sync.o \
 	fake_usb_transfer.o) $(BOARD_USB_MODEL_OBJECTS)
 FAKE_USB_WRAPPED := clock_gettime pthread_cond_timedwait pthread_cond_clockwait nanosleep usleep
 

@@ -141,21 +141,23 @@ static void clocks_are_read_as_a_whole(void **state)
 static void stalls_that_wrap_while_nobody_asks_are_counted(void **state)
 {
 	struct accel_stream *stream;
-	struct accel_fence *fence;
-	int64_t before = fake_usb_now_ns();
-	static const uint32_t nops[1000];
+	struct accel_fence *fence, *next;
 
 	assert_int_equal(accel_stream_new(*state, &stream), 0);
-	fake_usb_leap(true);
+	assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
 	count(1, 0xc0000000 / 5);
-	for (int n = 0; fake_usb_now_ns() - before < INT64_C(30000000000); n++) {
-		assert_int_equal(accel_stream_emit(stream, nops, 1000), 0);
-		assert_int_equal(accel_stream_submit(stream, NULL, 0, &fence), 0);
+	for (int n = 0; n < 60; n++) {
+		fake_usb_hold();
+		assert_int_equal(accel_stream_submit(stream, NULL, 0, &next), 0);
+		fake_usb_rest(500);
+		fake_usb_release();
+		assert_int_equal(accel_fence_wait(fence, -1, NULL, 0), 0);
 		accel_fence_free(fence);
+		fence = next;
 	}
+	accel_fence_free(fence);
 	count(1, 0xc0000000 / 5);
 	assert_clocks(*state, 2, 2 * (uint64_t)(0xc0000000 / 5));
-	fake_usb_leap(false);
 	accel_stream_free(stream);
 }
 
@@ -201,11 +203,14 @@ static void *ask_in_thread(void *data)
 static void clocks_may_be_asked_for_at_any_time(void **state)
 {
 	struct asker asker = { .device = *state };
+	int err;
 
 	assert_int_equal(pthread_create(&asker.thread, NULL, ask_in_thread, &asker), 0);
 	for (int n = 0; n < 20; n++) {
 		fake_usb_arm(0, n % 2 ? FAKE_USB_BUS_RESET : FAKE_USB_ERROR_IN, 1, 0);
-		assert_int_equal(run_job(*state), -EIO);
+		/* Or whoever asks has the fault, before there is a job. */
+		err = run_job(*state);
+		assert_true(!err || err == -EIO);
 		assert_int_equal(run_job(*state), 0);
 	}
 	asker.stop = true;

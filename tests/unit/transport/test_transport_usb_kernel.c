@@ -15,7 +15,6 @@ static int setup(void **state)
 {
 	alarm(test_patience_s());
 	fake_usb_start(test_seed());
-	fake_usb_leap(true);
 	*state = device_open("usb:", &messages);
 	return 0;
 }
@@ -25,7 +24,6 @@ static int teardown(void **state)
 	fake_usb_disarm();
 	fake_usb_limit_memory(0);
 	accel_device_free(*state);
-	fake_usb_leap(false);
 	fake_usb_stop();
 	alarm(0);
 	return 0;
@@ -114,8 +112,6 @@ static void without_memory_jobs_fail_and_the_board_stays(void **state)
 
 static void memory_that_comes_back_is_used_again(void **state)
 {
-	int64_t before;
-
 	accel_device_free(*state);
 	fake_usb_limit_memory(40000);
 	*state = device_open("usb:", &messages);
@@ -123,9 +119,11 @@ static void memory_that_comes_back_is_used_again(void **state)
 	assert_int_equal(copy(*state), 0);
 	assert_in_range(fake_usb_take_depth_in(), 1, 2);
 	fake_usb_limit_memory(0);
-	before = fake_usb_now_ns();
-	while (fake_usb_now_ns() - before < INT64_C(20000000000))
+	for (int n = 0; n < 20; n++) {
 		assert_int_equal(copy(*state), 0);
+		fake_usb_rest(1000);
+	}
+	assert_int_equal(copy(*state), 0);
 	assert_int_equal(fake_usb_take_depth_in(), 4);
 }
 
@@ -235,7 +233,6 @@ static int close_without_events(void)
 	struct accel_device *device;
 
 	fake_usb_start(1);
-	fake_usb_leap(true);
 	if (accel_device_new("usb:", NULL, NULL, &device))
 		return 1;
 	fake_usb_fail_always("libusb_handle_events", LIBUSB_ERROR_IO);
@@ -248,7 +245,6 @@ static int work_without_events(void)
 	struct accel_device *device;
 
 	fake_usb_start(1);
-	fake_usb_leap(true);
 	if (accel_device_new("usb:", messages_take, &messages, &device))
 		return 1;
 	fake_usb_fail_always("libusb_handle_events", LIBUSB_ERROR_IO);

@@ -328,7 +328,6 @@ static void a_board_that_is_none_is_refused(void **state)
 	};
 
 	(void)state;
-	fake_usb_leap(true);
 	for (size_t i = 0; i < sizeof(lies) / sizeof(lies[0]); i++) {
 		lie.offset = lies[i].offset;
 		lie.value = lies[i].value;

@@ -318,10 +318,7 @@ static void a_board_that_stands_still_after_a_long_rest_is_given_no_more(void **
 	struct gloss_status status;
 	struct instant before = instant();
 
-	fake_usb_leap(true);
-	while (fake_usb_now_ns() - before.now < 5000 * NS_PER_MS)
-		sched_yield();
-	fake_usb_leap(false);
+	fake_usb_rest(5000);
 	fake_usb_arm(0, FAKE_USB_HANG_OUT, 1, 0);
 	before = instant();
 	assert_int_equal(wait_for(*state, submit_empty(*state), &status), -EIO);
@@ -334,7 +331,6 @@ static void transfers_without_a_word_are_no_progress(void **state)
 	struct gloss_status status;
 	struct instant before = instant();
 
-	fake_usb_leap(true);
 	fake_usb_arm(0, FAKE_USB_EMPTY_IN, 1, UINT32_MAX);
 	assert_int_equal(wait_for(*state, submit_empty(*state), &status), -ENODEV);
 	assert_took_ms(before, 1900, 15000);
@@ -368,7 +364,6 @@ static void a_board_that_makes_progress_is_waited_for(void **state)
 	struct gloss_status status;
 	int64_t before = fake_usb_now_ns();
 
-	fake_usb_leap(true);
 	odd.step = 1;
 	odd.reads_to_work = 100;
 	run(*state, &job, &status);
@@ -385,7 +380,6 @@ static void a_board_that_makes_too_much_progress_is_not(void **state)
 	struct gloss_status status;
 
 	for (uint32_t step = 300; step; step = step == 300 ? 0x12345678 : 0) {
-		fake_usb_leap(true);
 		odd.reads = 0;
 		odd.step = step;
 		odd.reads_to_work = 1000;
@@ -400,13 +394,18 @@ static void a_board_that_makes_too_much_progress_is_not(void **state)
 static void memory_whose_clearing_was_lost_is_cleared_again(void **state)
 {
 	uint32_t words[WORDS];
+	unsigned int failed = 0;
 	uint64_t object;
+	int err;
 
 	for (int i = 0; i < 5; i++) {
 		assert_int_equal(ops->memory_new(*state, 4 * WORDS, &object), 0);
 		for (int n = 0; n <= i; n++) {
 			fake_usb_arm(0, n % 2 ? FAKE_USB_LOSE_OUT : FAKE_USB_ERROR_OUT, 1, 0);
-			assert_int_equal(read_words(*state, object, words, WORDS), -EIO);
+			/* It may have failed, and been repeated, before there was a job that uses it. */
+			err = read_words(*state, object, words, WORDS);
+			assert_true(!err || err == -EIO);
+			failed += err != 0;
 		}
 		assert_int_equal(read_words(*state, object, words, WORDS), 0);
 		for (uint32_t n = 0; n < WORDS; n++)
@@ -414,6 +413,7 @@ static void memory_whose_clearing_was_lost_is_cleared_again(void **state)
 		write_words(*state, object);
 		ops->memory_free(*state, object);
 	}
+	assert_true(failed);
 }
 
 struct submitter {
@@ -502,10 +502,13 @@ static void memory_that_can_not_be_cleared_is_not_used(void **state)
 {
 	uint32_t words[WORDS];
 	uint64_t object;
+	int err;
 
 	assert_int_equal(ops->memory_new(*state, 4 * WORDS, &object), 0);
 	odd.completions = 1;
-	assert_int_equal(read_words(*state, object, words, WORDS), -EIO);
+	/* 0: it was cleared again before there was a job that uses it. */
+	err = read_words(*state, object, words, WORDS);
+	assert_true(!err || err == -EIO);
 	assert_int_equal(fake_usb.resets, 2);
 	assert_int_equal(read_words(*state, object, words, WORDS), 0);
 	for (uint32_t n = 0; n < WORDS; n++)
@@ -604,13 +607,11 @@ static void a_board_that_does_not_start_again_is_gone(void **state)
 
 		fake_usb_hold();
 		start_waiters(*state, waiter, 4);
-		fake_usb_leap(true);
 		fake_usb_arm(0, faults[i].fault, 1, faults[i].value);
 		fake_usb_arm(0, FAKE_USB_ERROR_IN, 1, 0);
 		fake_usb_release();
 		check_gone(state, waiter, 4);
 		assert_in_range(fake_usb.resets - resets, 1, 4);
-		fake_usb_leap(false);
 	}
 }
 

@@ -191,14 +191,12 @@ static int boaster_setup(void **state)
 	fake_usb_unplug(0);
 	fake_usb.board[0].ops = &boaster;
 	fake_usb_plug(0, true);
-	fake_usb_leap(true);
 	*state = device_open("usb:", &messages);
 	return 0;
 }
 
 static int boaster_teardown(void **state)
 {
-	fake_usb_leap(false);
 	return teardown(state);
 }
 
