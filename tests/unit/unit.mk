@@ -28,8 +28,8 @@ $(call unit,$(MODEL_TESTS)): $(BUILD)/tests/unit/model/reference.o $(STREAM_RAND
 # ---- draw/ ----
 
 DRAW_UNIT_TESTS := test_setup test_setup_surface test_fetch test_geometry test_lighting test_shading \
-	test_bin test_draw_colour test_draw_parts test_draw_split test_draw_clip test_draw_spot \
-	test_draw_perspective test_draw_reports test_draw_out_of_memory
+	test_bin test_frame test_draw_colour test_draw_parts test_draw_split test_draw_clip \
+	test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
 DRAW_SQUARE_TESTS := test_draw test_draw_frame test_draw_input
 DRAW_UNIT_TESTS += $(DRAW_SQUARE_TESTS)
 UNIT_TESTS += $(DRAW_UNIT_TESTS)
