@@ -24,6 +24,7 @@ $(foreach program,$(UNIT_PROGRAMS),$(eval $(call unit_run,$(program))))
 MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
 UNIT_TESTS += $(MODEL_TESTS)
 $(call unit,$(MODEL_TESTS)): $(BUILD)/tests/unit/model/reference.o $(STREAM_RANDOM_OBJS)
+$(call unit,test_model_fault): $(BUILD)/tests/unit/model/fault_cases.o
 
 # ---- draw/ ----
 
