@@ -82,6 +82,8 @@ $(call unit,$(USB_TESTS) $(USB_UNIT_TESTS)): private LIBS := -lcmocka \
 $(call unit,$(USB_TESTS) $(USB_UNIT_TESTS)): private WRAPS := $(call wrap,$(FAKE_USB_WRAPPED))
 $(call unit,test_transport_usb_out_of_memory): private WRAPS := $(call wrap,$(FAKE_USB_WRAPPED)) \
 	$(OUT_OF_MEMORY_WRAPS)
+$(call unit,test_errors): $(addprefix $(BUILD)/tests/unit/object/,errors_device.o errors_memory.o \
+	errors_draw.o errors_stream.o)
 $(call unit,test_usb_faults): $(BUILD)/tests/usb/usb_trial.o
 
 USB_FAULTS_SAMPLE ?= 40
@@ -91,7 +93,7 @@ endif
 
 UNIT_TESTS += $(ACCEL_UNIT_TESTS)
 
-# Each error of accel.h has a row in its table.
+# Each error of accel.h has a row in a table.
 run-test_errors: run-errors-table
 .PHONY: run-errors-table run-test_symbols
 run-errors-table:

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The table of test_errors.c has a row for each error that a comment of accel.h promises, and no
+# The tables of errors_*.c have a row for each error that a comment of accel.h promises, and no
 # others: test_errors.sh BUILD
 set -eu
 out=$1/tests/unit/errors
@@ -23,9 +23,9 @@ awk '
 }' libaccel/accel.h | sort -u >"$out/promised"
 
 {
-	sed -n 's/^\t{ "\(accel_[a-z_]*\)", \(-E[A-Z0-9]*\), .*/\1 \2/p' tests/unit/object/test_errors.c
+	sed -n 's/^\t{ "\(accel_[a-z_]*\)", \(-E[A-Z0-9]*\), .*/\1 \2/p' tests/unit/object/errors_*.c
 	sed -n 's/^ \* \(accel_[a-z_]*\) \(-E[A-Z0-9]*\): .*/\1 \2/p' tests/unit/object/test_errors.c
 } | sort -u >"$out/reached"
 
 [ -s "$out/promised" ] || { echo "no errors in accel.h"; exit 1; }
-diff -u --label "accel.h promises" "$out/promised" --label "test_errors.c reaches" "$out/reached"
+diff -u --label "accel.h promises" "$out/promised" --label "tests reach" "$out/reached"
