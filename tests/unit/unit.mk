@@ -141,7 +141,7 @@ $(call unit,test_vboard_faults test_vboard_usb_bridge): private WRAPS := $(call 
 $(call unit,test_vboard_door test_vboard_qtest): private WRAPS := $(call wrap,pthread_cond_clockwait)
 
 BOARD_UNIT_TESTS := test_port_pci test_port_pci_ring test_port_pci_reset test_port_usb \
-	test_port_usb_reset test_board_model test_board_usb_model
+	test_port_usb_sync test_port_usb_flow test_port_usb_reset test_board_model test_board_usb_model
 $(call unit,$(BOARD_UNIT_TESTS)): $(PORT_TEST_OBJS) $(STREAM_RANDOM_OBJS) \
 	$(sort $(BOARD_MODEL_OBJECTS) $(BOARD_USB_MODEL_OBJECTS))
 
