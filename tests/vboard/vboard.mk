@@ -10,7 +10,6 @@ vboard-sanitize: ## tests of the virtual board under ASan, UBSan and TSan
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
 		$(VBOARD_TESTS:%=run-%) $(VBOARD_USB_TESTS:%=run-%)
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
-		CFLAGS='-O1 -g -fsanitize=thread' run-test_vboard_door run-test_vboard_qtest \
-		run-test_vboard_usb
+		CFLAGS='-O1 -g -fsanitize=thread' $(VBOARD_THREAD_TESTS:%=run-%)
 
 CHECKS += vboard vboard-sanitize

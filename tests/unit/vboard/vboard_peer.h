@@ -269,7 +269,7 @@ static inline uint64_t peer_submit_control(struct test_peer *peer, uint8_t type,
 	uint8_t copy[256];
 	bool out = !(type & 0x80);
 
-	if (out && length)
+	if (out && data)
 		memcpy(copy, data, length);
 	usbredirparser_send_control_packet(peer->parser, peer->next_id, &head, out ? copy : NULL,
 					   out ? length : 0);
