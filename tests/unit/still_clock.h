@@ -3,6 +3,7 @@
 #ifndef STILL_CLOCK_H
 #define STILL_CLOCK_H
 
+#include <stdint.h>
 #include <time.h>
 
 static uint64_t still_clock_us = 1000000;

@@ -132,7 +132,8 @@ VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_v
 	test_vboard_door test_vboard_qtest
 $(call unit,$(VBOARD_TESTS)): $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS)
 
-VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_jobs test_vboard_usb_wild test_vboard_usb_bridge
+VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_jobs test_vboard_usb_wild test_vboard_usb_bridge \
+	test_vboard_usb_bridge_faults
 $(call unit,$(VBOARD_USB_TESTS)): $(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECTS)
 $(call unit,$(VBOARD_USB_TESTS)): private LIBS := -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS)
 
@@ -141,7 +142,7 @@ VBOARD_THREAD_TESTS := test_vboard_door test_vboard_qtest test_vboard_usb test_v
 	test_vboard_usb_wild
 
 # Tests of what is late have a clock of their own, and those of what is waited for wait for ever.
-$(call unit,test_vboard_faults test_vboard_usb_bridge): private WRAPS := $(call wrap,clock_gettime)
+$(call unit,test_vboard_faults test_vboard_usb_bridge_faults): private WRAPS := $(call wrap,clock_gettime)
 $(call unit,test_vboard_door test_vboard_qtest): private WRAPS := $(call wrap,pthread_cond_clockwait)
 
 BOARD_UNIT_TESTS := test_port_pci test_port_pci_ring test_port_pci_reset test_port_usb \
