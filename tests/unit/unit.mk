@@ -129,7 +129,7 @@ run-test_sim_wrapper: $(BAD_CORE)
 # ---- vboard/ ----
 
 VBOARD_TESTS := test_vboard_config test_vboard_memory test_vboard_message test_vboard_faults \
-	test_vboard_door test_vboard_qtest
+	test_vboard_door test_vboard_door_jobs test_vboard_qtest
 $(call unit,$(VBOARD_TESTS)): $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS)
 
 VBOARD_USB_TESTS := test_vboard_usb test_vboard_usb_jobs test_vboard_usb_wild test_vboard_usb_bridge \
@@ -138,12 +138,13 @@ $(call unit,$(VBOARD_USB_TESTS)): $(VBOARD_USB_OBJECTS) $(BOARD_USB_MODEL_OBJECT
 $(call unit,$(VBOARD_USB_TESTS)): private LIBS := -lcmocka $(VBOARD_USB_LIBS) $(ACCEL_LIBS)
 
 # Those in which a board has its thread.
-VBOARD_THREAD_TESTS := test_vboard_door test_vboard_qtest test_vboard_usb test_vboard_usb_jobs \
-	test_vboard_usb_wild
+VBOARD_THREAD_TESTS := test_vboard_door test_vboard_door_jobs test_vboard_qtest test_vboard_usb \
+	test_vboard_usb_jobs test_vboard_usb_wild
 
 # Tests of what is late have a clock of their own, and those of what is waited for wait for ever.
 $(call unit,test_vboard_faults test_vboard_usb_bridge_faults): private WRAPS := $(call wrap,clock_gettime)
-$(call unit,test_vboard_door test_vboard_qtest): private WRAPS := $(call wrap,pthread_cond_clockwait)
+$(call unit,test_vboard_door test_vboard_door_jobs test_vboard_qtest): private WRAPS := \
+	$(call wrap,pthread_cond_clockwait)
 
 BOARD_UNIT_TESTS := test_port_pci test_port_pci_ring test_port_pci_reset test_port_usb \
 	test_port_usb_sync test_port_usb_flow test_port_usb_reset test_board_model test_board_usb_model
