@@ -173,16 +173,7 @@ static inline void enable(bool messages)
 
 static inline void drive(void)
 {
-	const uint64_t ring = TEST_HOST_BASE + TEST_RING;
-	const uint64_t completion = TEST_HOST_BASE + TEST_COMPLETION;
-
-	put(GLOSS_REG_RING_LOW, (uint32_t)ring);
-	put(GLOSS_REG_RING_HIGH, (uint32_t)(ring >> 32));
-	put(GLOSS_REG_RING_LOG2, TEST_RING_LOG2);
-	put(GLOSS_REG_COMPLETION_LOW, (uint32_t)completion);
-	put(GLOSS_REG_COMPLETION_HIGH, (uint32_t)(completion >> 32));
-	put(GLOSS_REG_INTERRUPT_MASK, 7);
-	put(GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_ENABLE);
+	test_host_drive(put, 7);
 	tail = 0;
 }
 

@@ -89,6 +89,22 @@ static inline void test_host_set_word(struct test_host *host, uint32_t offset, u
 	memcpy(host->memory + offset, &word, sizeof(word));
 }
 
+/* Sets a board up, whose registers @put writes, and enables it. */
+static inline void test_host_drive(void (*put)(uint32_t offset, uint32_t value),
+				   uint32_t interrupts)
+{
+	const uint64_t ring = TEST_HOST_BASE + TEST_RING;
+	const uint64_t completion = TEST_HOST_BASE + TEST_COMPLETION;
+
+	put(GLOSS_REG_RING_LOW, (uint32_t)ring);
+	put(GLOSS_REG_RING_HIGH, (uint32_t)(ring >> 32));
+	put(GLOSS_REG_RING_LOG2, TEST_RING_LOG2);
+	put(GLOSS_REG_COMPLETION_LOW, (uint32_t)completion);
+	put(GLOSS_REG_COMPLETION_HIGH, (uint32_t)(completion >> 32));
+	put(GLOSS_REG_INTERRUPT_MASK, interrupts);
+	put(GLOSS_REG_CONTROL, GLOSS_REG_CONTROL_ENABLE);
+}
+
 /* An empty job in ring entry @entry. */
 static inline void test_host_job(struct test_host *host, uint32_t entry, uint32_t sequence)
 {
