@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: MIT
 /* A board of the port's and the core's model does what the core's model does alone. */
-#include "accel_test.h"
-#include "model/model.h"
+#include "board_model_test.h"
 #include "port_host.h"
-#include "stream_random.h"
-
-static struct model model;
-static struct stream_random job;
-static uint8_t memory[STREAM_RANDOM_MEMORY], board_memory[STREAM_RANDOM_MEMORY];
-static uint32_t response[STREAM_RANDOM_RESPONSE + 128];
 
 static const struct gloss_board_ops *const boards[] = { &gloss_board_model_t32,
 							&gloss_board_model_t64 };
-
-static struct gloss_status run_alone(int tile_size)
-{
-	struct gloss_status status;
-
-	job.job.response = response;
-	assert_int_equal(model_init(&model, tile_size, memory, sizeof(memory)), 0);
-	assert_int_equal(model_run(&model, &job.job, &status), 0);
-	return status;
-}
 
 static void run_on_board(struct port_host *host, const struct gloss_job_descriptor *d)
 {
@@ -95,21 +78,15 @@ static void board_says_what_it_is(void **state)
 
 static void slots_that_leave_memory_are_the_memorys_fault(void **state)
 {
-	static const struct gloss_slot bad[] = {
-		{ sizeof(memory), 4, GLOSS_RIGHTS_READ },
-		{ 0, sizeof(memory) + 1, GLOSS_RIGHTS_READ_WRITE },
-		{ 0xfffff000, 0x2000, GLOSS_RIGHTS_NONE },
-		{ 4096, 0xffffffff, GLOSS_RIGHTS_WRITE },
-	};
 	struct port_host host;
 
 	(void)state;
-	for (size_t n = 0; n < sizeof(bad) / sizeof(bad[0]); n++) {
+	for (size_t n = 0; n < sizeof(bad_slots) / sizeof(bad_slots[0]); n++) {
 		static const uint32_t nop;
 		struct accel_job slots = { .stream = &nop, .stream_words = 1 };
 		struct gloss_job_descriptor d;
 
-		slots.slot[n] = bad[n];
+		slots.slot[n] = bad_slots[n];
 		assert_true(port_host_init(&host, boards[n % 2], memory, sizeof(memory), 1));
 		d = port_host_describe(&host, &slots, 1);
 		run_on_board(&host, &d);
