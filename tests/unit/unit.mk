@@ -155,7 +155,8 @@ UNIT_TESTS += $(VBOARD_TESTS) $(VBOARD_USB_TESTS) $(BOARD_UNIT_TESTS)
 
 # ---- tools/ ----
 
-$(call unit,test_decode): $(DECODE_OBJECTS)
+DECODE_UNIT_TESTS := test_decode test_decode_print test_decode_random
+$(call unit,$(DECODE_UNIT_TESTS)): $(DECODE_OBJECTS)
 
 # ---- the same with the compiler's checks built in, on the simulators of this build ----
 
