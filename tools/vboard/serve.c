@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #define _GNU_SOURCE
-#include "vboard/serve.h"
-
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
+#include <unistd.h>
+
+#include "vboard/serve.h"
 
 static int signals = -1, ended = -1;
 
-bool vboard_serve_init(void)
+/* Before any other thread: both signals end serve_run(). */
+static bool serve_signals(void)
 {
 	sigset_t end;
 
@@ -30,7 +33,10 @@ bool vboard_serve_init(void)
 	return false;
 }
 
-bool vboard_serve_socket(const char *name, int fd)
+/* ---- a board ---- */
+
+/* Is it a connected Unix socket? */
+static bool serve_socket(const char *name, int fd)
 {
 	int domain = 0;
 	socklen_t length = sizeof(domain);
@@ -43,13 +49,67 @@ bool vboard_serve_socket(const char *name, int fd)
 	return false;
 }
 
-void *vboard_serve_memory(uint64_t size)
+static void *serve_memory(uint64_t size)
 {
 	void *memory = mmap(NULL, size, PROT_READ | PROT_WRITE,
 			    MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
 
 	return memory == MAP_FAILED ? NULL : memory;
 }
+
+/* False: out of memory. */
+static bool serve_make(struct vboard_served *served, const struct vboard_serve_ops *ops,
+		       const struct vboard_options_board *options)
+{
+	served->memory_size = options->memory;
+	served->memory = serve_memory(options->memory);
+	if (!served->memory)
+		return false;
+	if (ops->init(served, options))
+		return true;
+	munmap(served->memory, served->memory_size);
+	return false;
+}
+
+/* NULL: it has said why. */
+static void *serve_open(const struct vboard_serve_ops *ops,
+			const struct vboard_options_board *options)
+{
+	struct vboard_served *served;
+	struct vboard_loaded loaded;
+	struct accel_transport_error error = { "" };
+
+	if (!serve_socket(options->text, options->socket))
+		return NULL;
+	if (vboard_load(&loaded, &ops->bus, options->engine, options->tile, options->lanes,
+			&error)) {
+		vboard_error(options->text, error.text);
+		return NULL;
+	}
+	served = calloc(1, ops->size);
+	if (served) {
+		served->loaded = loaded;
+		if (serve_make(served, ops, options))
+			return served;
+	}
+	free(served);
+	vboard_unload(&loaded);
+	vboard_error(options->text, "out of memory");
+	return NULL;
+}
+
+static void serve_close(struct vboard_served *served, const struct vboard_serve_ops *ops)
+{
+	int socket = served->loop->socket;
+
+	ops->fini(served);
+	munmap(served->memory, served->memory_size);
+	vboard_unload(&served->loaded);
+	close(socket);
+	free(served);
+}
+
+/* ---- all of them ---- */
 
 /* Until all boards have ended, or a signal comes. */
 static void serve_wait(unsigned int boards)
@@ -68,27 +128,82 @@ static void serve_wait(unsigned int boards)
 	}
 }
 
-enum vboard_exit vboard_serve_run(struct vboard_loop *const *loops, const char *const *names,
-				  unsigned int count)
+static struct vboard_loop *serve_loop(const void *board)
+{
+	return ((const struct vboard_served *)board)->loop;
+}
+
+static enum vboard_exit serve_run(void *const *boards, const struct vboard_options *options)
 {
 	enum vboard_exit ret = VBOARD_OK;
 	unsigned int started;
 	int err = 0;
 
-	for (started = 0; started < count && !err; started += !err) {
-		loops[started]->ended = ended;
-		err = vboard_loop_start(loops[started]);
+	for (started = 0; started < options->boards && !err; started += !err) {
+		serve_loop(boards[started])->ended = ended;
+		err = vboard_loop_start(serve_loop(boards[started]));
 	}
 	if (!err)
-		serve_wait(count);
+		serve_wait(options->boards);
 	for (unsigned int i = 0; i < started; i++) {
-		vboard_loop_stop(loops[i]);
-		if (!loops[i]->error || loops[i]->error == -ECANCELED)
+		struct vboard_loop *loop = serve_loop(boards[i]);
+
+		vboard_loop_stop(loop);
+		if (!loop->error || loop->error == -ECANCELED)
 			continue;
-		vboard_error(names[i], strerror(-loops[i]->error));
+		vboard_error(options->board[i].text, strerror(-loop->error));
 		ret = VBOARD_FAILED;
 	}
 	if (err)
 		vboard_error("thread", strerror(-err));
 	return err ? VBOARD_FAILED : ret;
+}
+
+static enum vboard_exit serve_begin(const struct vboard_serve_ops *ops, void *const *boards,
+				    const struct vboard_options *options)
+{
+	enum vboard_exit ret = ops->begin ? ops->begin(boards, options) : VBOARD_OK;
+
+	if (ret != VBOARD_OK)
+		return ret;
+	ret = serve_run(boards, options);
+	if (ops->end)
+		ops->end(boards);
+	return ret;
+}
+
+static enum vboard_exit serve_boards(const struct vboard_serve_ops *ops,
+				     const struct vboard_options *options)
+{
+	void *boards[VBOARD_BOARDS];
+	enum vboard_exit ret = VBOARD_FAILED;
+	unsigned int opened;
+
+	for (opened = 0; opened < options->boards; opened++) {
+		boards[opened] = serve_open(ops, &options->board[opened]);
+		if (!boards[opened])
+			break;
+	}
+	if (opened == options->boards)
+		ret = serve_begin(ops, boards, options);
+	for (unsigned int i = 0; i < opened; i++) {
+		if (options->verbose && opened == options->boards)
+			ops->report(boards[i]);
+		serve_close(boards[i], ops);
+	}
+	return ret;
+}
+
+enum vboard_exit vboard_serve(const struct vboard_serve_ops *ops,
+			      const struct vboard_program *program, int argc, char **argv)
+{
+	struct vboard_options options;
+	enum vboard_exit ret;
+
+	ret = vboard_options_parse(&options, program, argc, argv);
+	if (ret != VBOARD_OK || options.done)
+		return ret;
+	if (!serve_signals())
+		return VBOARD_FAILED;
+	return serve_boards(ops, &options);
 }

@@ -20,8 +20,6 @@ struct vboard {
 	struct vboard_config config;
 	struct vboard_memory memory;
 	struct vboard_faults faults;
-	void *board_memory;
-	uint64_t board_memory_size;
 
 	bool level;      /* that the board wants at INTx */
 	bool pin;        /* the level there is */
