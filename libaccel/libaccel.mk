@@ -26,8 +26,8 @@ endif
 
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c dump.c \
 		message.c sized.c version.c) \
-	$(addprefix libaccel/transport/, transport.c model.c sim.c engine.c job_table.c pool.c \
-		range.c option.c thread.c) $(DRM_SOURCES) $(USB_SOURCES) $(DRAW_SOURCES)
+	$(addprefix libaccel/transport/, transport.c model.c sim.c plugin.c engine.c job_table.c \
+		pool.c range.c option.c thread.c) $(DRM_SOURCES) $(USB_SOURCES) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
 ACCEL_VERSION := $(shell cat VERSION)
@@ -37,13 +37,13 @@ FLAGS_libaccel := -fPIC -pthread
 FLAGS_libaccel/transport/drm := $(DRM_CFLAGS)
 FLAGS_libaccel/transport/usb := $(USB_CFLAGS)
 
-# Where the library looks for plugins once it is installed; rebuilt when that changes.
+# Where plugins are looked for once they are installed; rebuilt when that changes.
 ACCEL_SIM_DIR := $(LIBDIR)/gloss
 $(BUILD)/libaccel/sim_dir: FORCE
 	@mkdir -p $(@D)
 	@echo '$(ACCEL_SIM_DIR)' | cmp -s - $@ || echo '$(ACCEL_SIM_DIR)' >$@
-$(BUILD)/libaccel/transport/sim.o: $(BUILD)/libaccel/sim_dir
-FLAGS_libaccel/transport/sim.c = -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
+$(BUILD)/libaccel/transport/plugin.o: $(BUILD)/libaccel/sim_dir
+FLAGS_libaccel/transport/plugin.c = -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
 
 $(BUILD)/libaccel.so: $(ACCEL_OBJS) libaccel/libaccel.map
 	$(call quiet,LD,$@)

@@ -2,7 +2,7 @@
 /*
  * What a simulator plugin offers: the Verilated core with a memory behind it.
  * A plugin is a shared object accel-sim-t<tile>-k<lanes>.so with one exported
- * symbol, gloss_sim. transport/sim.c and the stream tests load it with dlopen,
+ * symbol, gloss_sim. transport/plugin.c and the stream tests load it with dlopen,
  * so that nothing else links C++.
  *
  * A simulator is used by one thread at a time; different ones at once.

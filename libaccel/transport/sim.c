@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 /* "sim:": the Verilated core, from a plugin (sim.h), on a thread of this process. */
-#define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
-#include <limits.h>
-#include <link.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #include "transport/engine.h"
 #include "transport/option.h"
+#include "transport/plugin.h"
 #include "sim/sim.h"
 
 /* How many times what a packet should take at most before the job counts as hung: a memory
@@ -21,8 +17,8 @@
 
 struct transport_sim {
 	struct accel_engine engine; /* first, see engine.h */
-	void *plugin;
-	const struct gloss_sim_ops *ops;
+	struct accel_plugin plugin;
+	const struct gloss_sim_ops *ops; /* of it */
 	struct gloss_sim *sim;
 	pthread_mutex_t lock; /* protects clocks */
 	struct accel_device_clocks clocks;
@@ -85,82 +81,15 @@ static int sim_run(void *data, const struct accel_job *job, struct gloss_status 
 	return err;
 }
 
-/* ---- finding the plugin ---- */
-
-/* The directory sim/ beside this library, or beside the program it is linked into. */
-static int sim_beside(char *path, size_t size)
-{
-	struct link_map *map;
-	char self[PATH_MAX], *slash;
-	Dl_info info;
-	int length;
-
-	if (!dladdr1(&accel_transport_sim, &info, (void **)&map, RTLD_DL_LINKMAP))
-		return -ENOENT;
-	if (!realpath(*map->l_name ? map->l_name : "/proc/self/exe", self))
-		return -ENOENT;
-	slash = strrchr(self, '/');
-	*slash = '\0';
-	length = snprintf(path, size, "%s/sim", self);
-	return length < 0 || (size_t)length >= size ? -ENOENT : 0;
-}
-
-static bool sim_fits(const struct gloss_sim_ops *ops, uint64_t tile, uint64_t lanes)
-{
-	return ops && ops->abi == GLOSS_SIM_ABI && ops->version == GLOSS_VERSION &&
-	       ops->tile_size == tile && ops->pixels_per_clock == lanes;
-}
-
-/* -ENOENT: the directory has no such file. */
-static int sim_load_from(struct transport_sim *transport, const char *directory, uint64_t tile,
-			 uint64_t lanes, struct accel_transport_error *error)
-{
-	char path[PATH_MAX];
-	int length;
-
-	length = snprintf(path, sizeof(path), "%s/accel-sim-t%u-k%u.so", directory,
-			  (unsigned int)tile, (unsigned int)lanes);
-	if (length < 0 || (size_t)length >= sizeof(path) || access(path, F_OK))
-		return -ENOENT;
-	transport->plugin = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-	if (!transport->plugin) {
-		accel_transport_say(error, "%s", dlerror());
-		return -ENOSYS;
-	}
-	transport->ops = dlsym(transport->plugin, GLOSS_SIM_SYMBOL);
-	if (sim_fits(transport->ops, tile, lanes))
-		return 0;
-	dlclose(transport->plugin);
-	accel_transport_say(error, "%s is no simulator of this version", path);
-	return -ENOSYS;
-}
-
-static int sim_load(struct transport_sim *transport, uint64_t tile, uint64_t lanes,
-		    struct accel_transport_error *error)
-{
-	char beside[PATH_MAX];
-	const char *directory[] = {
-		secure_getenv("GLOSS_SIM_PATH"),
-		sim_beside(beside, sizeof(beside)) ? NULL : beside,
-		ACCEL_SIM_DIR,
-	};
-	int err;
-
-	for (size_t i = 0; i < sizeof(directory) / sizeof(directory[0]); i++) {
-		if (!directory[i] || !*directory[i])
-			continue;
-		err = sim_load_from(transport, directory[i], tile, lanes, error);
-		if (err != -ENOENT)
-			return err;
-	}
-	accel_transport_say(error,
-			    "accel-sim-t%u-k%u.so is not installed; it was looked for in "
-			    "$GLOSS_SIM_PATH, sim/ beside the library, and " ACCEL_SIM_DIR,
-			    (unsigned int)tile, (unsigned int)lanes);
-	return -ENOSYS;
-}
-
 /* ---- the transport ---- */
+
+static const struct accel_plugin_kind sim_plugin = {
+	.name = "accel-sim",
+	.symbol = GLOSS_SIM_SYMBOL,
+	.abi = GLOSS_SIM_ABI,
+	.what = "simulator",
+	.who = "library",
+};
 
 struct sim_options {
 	uint64_t tile, lanes, memory, stalls;
@@ -180,6 +109,13 @@ static int sim_parse(const char *where, struct sim_options *to, struct accel_tra
 	return accel_option_parse(where, options, error);
 }
 
+static int sim_load(struct accel_plugin *plugin, const struct sim_options *options,
+		    struct accel_transport_error *error)
+{
+	return accel_plugin_open(plugin, &sim_plugin, (uint32_t)options->tile,
+				 (uint32_t)options->lanes, error);
+}
+
 static int transport_sim_open(const char *where, void **state, struct accel_transport_error *error)
 {
 	struct transport_sim *transport;
@@ -192,9 +128,10 @@ static int transport_sim_open(const char *where, void **state, struct accel_tran
 	transport = calloc(1, sizeof(*transport));
 	if (!transport)
 		return -ENOMEM;
-	err = sim_load(transport, options.tile, options.lanes, error);
+	err = sim_load(&transport->plugin, &options, error);
 	if (err)
 		goto err_free;
+	transport->ops = transport->plugin.ops;
 	err = accel_engine_init(&transport->engine, options.memory, sim_run, transport);
 	if (err)
 		goto err_unload;
@@ -211,7 +148,7 @@ static int transport_sim_open(const char *where, void **state, struct accel_tran
 err_engine_fini:
 	accel_engine_fini(&transport->engine);
 err_unload:
-	dlclose(transport->plugin);
+	dlclose(transport->plugin.handle);
 err_free:
 	free(transport);
 	return err;
@@ -220,14 +157,14 @@ err_free:
 static int transport_sim_list(accel_device_list_fn found, void *data)
 {
 	struct accel_transport_error error = { "" };
-	struct transport_sim transport;
+	struct accel_plugin plugin;
 	struct sim_options options;
 	int err = sim_parse("", &options, &error);
 
 	if (!err)
-		err = sim_load(&transport, options.tile, options.lanes, &error);
+		err = sim_load(&plugin, &options, &error);
 	if (!err)
-		dlclose(transport.plugin);
+		dlclose(plugin.handle);
 	found(data, "sim:", err ? error.text : "Verilated core, in this process");
 	return 0;
 }
@@ -238,7 +175,7 @@ static void transport_sim_close(void *state)
 
 	transport->ops->destroy(transport->sim);
 	accel_engine_fini(&transport->engine);
-	dlclose(transport->plugin);
+	dlclose(transport->plugin.handle);
 	pthread_mutex_destroy(&transport->lock);
 	free(transport);
 }

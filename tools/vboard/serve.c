@@ -76,7 +76,7 @@ static void *serve_open(const struct vboard_serve_ops *ops,
 			const struct vboard_options_board *options)
 {
 	struct vboard_served *served;
-	struct vboard_loaded loaded;
+	struct accel_plugin loaded;
 	struct accel_transport_error error = { "" };
 
 	if (!serve_socket(options->text, options->socket))

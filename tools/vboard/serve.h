@@ -12,7 +12,7 @@
 
 /* A board that is served: the first member of what a program has of each. */
 struct vboard_served {
-	struct vboard_loaded loaded;
+	struct accel_plugin loaded;
 	void *memory; /* of the board; all zero when it is made */
 	uint64_t memory_size;
 	struct vboard_loop *loop;

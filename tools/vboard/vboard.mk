@@ -21,8 +21,6 @@ include tools/vboard/board/board.mk
 FLAGS_tools/vboard := -Idriver -pthread
 FLAGS_tools/vboard/options.c := -DGLOSS_RELEASE='"$(ACCEL_VERSION)"'
 $(BUILD)/tools/vboard/options.o: VERSION
-FLAGS_tools/vboard/load.c = -DACCEL_SIM_DIR='"$(ACCEL_SIM_DIR)"'
-$(BUILD)/tools/vboard/load.o: $(BUILD)/libaccel/sim_dir
 
 $(BUILD)/vboard-pci: private LIBS := $(ACCEL_LIBS)
 $(BUILD)/vboard-pci: $(VBOARD_MAIN) $(VBOARD_OBJECTS) $(BOARD_MODEL_OBJECTS) $(BUILD)/libaccel/parts.a

@@ -77,9 +77,13 @@ static void slots_end(void *const *boards)
 
 static const struct vboard_serve_ops slot_ops = {
 	.bus = {
-		.plugin = "accel-board",
-		.symbol = GLOSS_BOARD_SYMBOL,
-		.abi = GLOSS_BOARD_ABI,
+		.plugin = {
+			.name = "accel-board",
+			.symbol = GLOSS_BOARD_SYMBOL,
+			.abi = GLOSS_BOARD_ABI,
+			.what = "board",
+			.who = "program",
+		},
 		.model_t32 = &gloss_board_model_t32,
 		.model_t64 = &gloss_board_model_t64,
 	},

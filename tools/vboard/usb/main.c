@@ -58,9 +58,13 @@ static void socket_report(const void *board)
 
 static const struct vboard_serve_ops socket_ops = {
 	.bus = {
-		.plugin = "accel-usb",
-		.symbol = GLOSS_USB_BOARD_SYMBOL,
-		.abi = GLOSS_USB_BOARD_ABI,
+		.plugin = {
+			.name = "accel-usb",
+			.symbol = GLOSS_USB_BOARD_SYMBOL,
+			.abi = GLOSS_USB_BOARD_ABI,
+			.what = "board",
+			.who = "program",
+		},
 		.model_t32 = &gloss_usb_board_model_t32,
 		.model_t64 = &gloss_usb_board_model_t64,
 	},
