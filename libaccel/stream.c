@@ -86,21 +86,34 @@ static size_t stream_place(const struct accel_stream *stream, const uint32_t *wo
 	return (at - from) / sizeof(*words);
 }
 
-/* Room for @count words in all; it doubles, so that a word costs the same in the end. */
+/*
+ * @array with room for @count elements of @size bytes, instead of *@room: @first to begin with, and
+ * twice as many each time, so that an element costs the same in the end. NULL: out of memory, and
+ * nothing has changed.
+ */
+static void *stream_grow(void *array, size_t size, size_t *room, size_t first, size_t count)
+{
+	size_t larger = *room ? *room : first;
+
+	while (larger < count)
+		larger *= 2;
+	array = realloc(array, larger * size);
+	if (array)
+		*room = larger;
+	return array;
+}
+
+/* Room for @count words in all. */
 static int stream_reserve(struct accel_stream *stream, size_t count)
 {
-	size_t room = stream->room ? stream->room : STREAM_ROOM_FIRST;
 	uint32_t *words;
 
 	if (count <= stream->room)
 		return 0;
-	while (room < count)
-		room *= 2;
-	words = realloc(stream->words, room * sizeof(*words));
+	words = stream_grow(stream->words, sizeof(*words), &stream->room, STREAM_ROOM_FIRST, count);
 	if (!words)
 		return -ENOMEM;
 	stream->words = words;
-	stream->room = room;
 	return 0;
 }
 
@@ -135,18 +148,15 @@ int accel_stream_emit(struct accel_stream *stream, const uint32_t *words, size_t
 /* Room for @count parts in all. */
 static int stream_reserve_parts(struct accel_stream *stream, size_t count)
 {
-	size_t room = stream->parts_room ? stream->parts_room : PARTS_ROOM_FIRST;
 	struct accel_transport_part *part;
 
 	if (count <= stream->parts_room)
 		return 0;
-	while (room < count)
-		room *= 2;
-	part = realloc(stream->part, room * sizeof(*part));
+	part = stream_grow(stream->part, sizeof(*part), &stream->parts_room, PARTS_ROOM_FIRST,
+			   count);
 	if (!part)
 		return -ENOMEM;
 	stream->part = part;
-	stream->parts_room = room;
 	return 0;
 }
 
