@@ -11,8 +11,7 @@
 struct accel_engine_job {
 	struct accel_job_entry entry;  /* first, so that an entry is its job */
 	struct accel_engine_job *next; /* to be run after it */
-	bool ended;
-	int error; /* of the engine */
+	int error;                     /* of the engine */
 	struct gloss_status status;
 	struct accel_job job;
 	uint32_t *stream; /* until it has ended */
@@ -57,7 +56,7 @@ static void *engine_thread(void *argument)
 		if (!engine->first)
 			engine->last = &engine->first;
 		engine->queued -= engine_bytes(job);
-		job->ended = true;
+		job->entry.ended = true;
 		pthread_cond_broadcast(&engine->ended);
 	}
 	pthread_mutex_unlock(&engine->lock);
@@ -236,20 +235,19 @@ int accel_engine_wait(void *state, uint64_t sequence, int64_t timeout_ns,
 		      struct gloss_status *status)
 {
 	struct accel_engine *engine = state;
+	struct accel_job_entry *entry;
 	struct accel_engine_job *job;
-	int err = -EINVAL;
+	int err;
 
 	pthread_mutex_lock(&engine->lock);
-	job = (struct accel_engine_job *)accel_job_table_find(&engine->jobs, sequence);
-	if (job)
-		err = accel_thread_wait(&engine->ended, &engine->lock, &job->ended, timeout_ns);
-	if (!err)
-		accel_job_table_take(&engine->jobs, &job->entry);
+	err = accel_job_table_wait(&engine->jobs, sequence, &engine->ended, &engine->lock,
+				   timeout_ns, &entry);
 	pthread_mutex_unlock(&engine->lock);
 	if (err)
 		return err;
+	job = (struct accel_engine_job *)entry;
 	*status = job->status;
 	err = job->error ? -EIO : 0;
-	engine_job_drop(&job->entry);
+	engine_job_drop(entry);
 	return err;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <errno.h>
 #include <stdlib.h>
 
 #include "transport/job_table.h"
+#include "transport/thread.h"
 
 void accel_job_table_init(struct accel_job_table *table)
 {
@@ -86,4 +88,17 @@ void accel_job_table_take(struct accel_job_table *table, struct accel_job_entry 
 		link = &(*link)->next;
 	*link = entry->next;
 	table->count--;
+}
+
+int accel_job_table_wait(struct accel_job_table *table, uint64_t sequence, pthread_cond_t *ended,
+			 pthread_mutex_t *lock, int64_t timeout_ns, struct accel_job_entry **entry)
+{
+	struct accel_job_entry *job = accel_job_table_find(table, sequence);
+	int err = job ? accel_thread_wait(ended, lock, &job->ended, timeout_ns) : -EINVAL;
+
+	if (err)
+		return err;
+	accel_job_table_take(table, job);
+	*entry = job;
+	return 0;
 }

@@ -6,6 +6,8 @@
 #ifndef ACCEL_JOB_TABLE_H
 #define ACCEL_JOB_TABLE_H
 
+#include <pthread.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -15,6 +17,7 @@
 struct accel_job_entry {
 	struct accel_job_entry *next; /* of the same bucket */
 	uint64_t sequence;
+	bool ended; /* for accel_job_table_wait(), and nothing else looks at the job any more */
 };
 
 struct accel_job_table {
@@ -35,5 +38,13 @@ struct accel_job_entry *accel_job_table_find(const struct accel_job_table *table
 					     uint64_t sequence);
 /* Takes out one that is there. */
 void accel_job_table_take(struct accel_job_table *table, struct accel_job_entry *entry);
+
+/*
+ * Waits until the job with this number has ->ended, and takes it out. @lock, under which the table
+ * and ->ended change, is held, and @ended broadcast, as for accel_thread_wait(). -EINVAL: there is
+ * no such job; -ETIMEDOUT. An error leaves *@entry alone.
+ */
+int accel_job_table_wait(struct accel_job_table *table, uint64_t sequence, pthread_cond_t *ended,
+			 pthread_mutex_t *lock, int64_t timeout_ns, struct accel_job_entry **entry);
 
 #endif

@@ -223,17 +223,14 @@ static int job_result(struct accel_usb_link *link, struct accel_usb_job *job,
 int accel_usb_link_wait(struct accel_usb_link *link, uint64_t sequence, int64_t timeout_ns,
 			struct gloss_status *status)
 {
-	struct accel_usb_job *job;
-	int err = -EINVAL;
+	struct accel_job_entry *entry;
+	int err;
 
 	pthread_mutex_lock(&link->lock);
-	job = (struct accel_usb_job *)accel_job_table_find(&link->jobs, sequence);
-	if (job)
-		err = accel_thread_wait(&link->ended, &link->lock, &job->ended, timeout_ns);
-	if (!err)
-		accel_job_table_take(&link->jobs, &job->entry);
+	err = accel_job_table_wait(&link->jobs, sequence, &link->ended, &link->lock, timeout_ns,
+				   &entry);
 	pthread_mutex_unlock(&link->lock);
-	return err ? err : job_result(link, job, status);
+	return err ? err : job_result(link, (struct accel_usb_job *)entry, status);
 }
 
 void accel_usb_link_forget(struct accel_usb_link *link, uint64_t sequence)
@@ -242,7 +239,7 @@ void accel_usb_link_forget(struct accel_usb_link *link, uint64_t sequence)
 
 	pthread_mutex_lock(&link->lock);
 	job = (struct accel_usb_job *)accel_job_table_find(&link->jobs, sequence);
-	if (job->ended) {
+	if (job->entry.ended) {
 		accel_job_table_take(&link->jobs, &job->entry);
 		accel_usb_job_free(link, job);
 	} else {

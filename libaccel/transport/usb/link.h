@@ -28,7 +28,6 @@ struct accel_usb_job {
 	bool must;                        /* a fault in it is a failure of the board */
 	bool forgotten;                   /* it is gone when it has ended */
 	bool answered;                    /* to the end */
-	bool ended;                       /* and nothing looks at it any more */
 	int error;                        /* if it has ended so */
 	size_t bytes;                     /* of the message */
 	size_t started, sent;             /* given to transfers, and in those that have ended */

@@ -76,7 +76,7 @@ static void link_remove_locked(struct accel_usb_link *link, const struct accel_u
 static void job_end_locked(struct accel_usb_link *link, struct accel_usb_job *job, int error)
 {
 	link_remove_locked(link, job);
-	job->ended = true;
+	job->entry.ended = true;
 	job->error = error;
 	link->running--;
 	if (!error && !job->must)

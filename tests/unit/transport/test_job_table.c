@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include <errno.h>
+
 #include "accel_test.h"
 #include "transport/job_table.h"
+#include "transport/thread.h"
 
 #define JOBS 100000u
 
@@ -100,6 +103,28 @@ static void jobs_leave_in_any_order(void **state)
 	}
 }
 
+static void a_job_is_waited_for_until_it_has_ended(void **state)
+{
+	pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+	struct accel_job_entry *entry = NULL;
+	pthread_cond_t ended;
+
+	(void)state;
+	accel_thread_condition_init(&ended);
+	pthread_mutex_lock(&lock);
+	assert_int_equal(accel_job_table_wait(&table, 1, &ended, &lock, -1, &entry), -EINVAL);
+	accel_job_table_put(&table, &jobs[0], 1);
+	assert_int_equal(accel_job_table_wait(&table, 1, &ended, &lock, 0, &entry), -ETIMEDOUT);
+	assert_null(entry);
+	jobs[0].ended = true;
+	assert_int_equal(accel_job_table_wait(&table, 1, &ended, &lock, -1, &entry), 0);
+	assert_ptr_equal(entry, &jobs[0]);
+	assert_null(accel_job_table_find(&table, 1));
+	pthread_mutex_unlock(&lock);
+	pthread_cond_destroy(&ended);
+	jobs[0].ended = false;
+}
+
 static void count_dropped(struct accel_job_entry *entry)
 {
 	entry->sequence = 0;
@@ -125,6 +150,7 @@ int main(void)
 		table_test(the_newest_of_many_jobs_is_found_as_fast_as_the_oldest),
 		table_test(an_old_job_does_not_make_later_ones_slow),
 		table_test(jobs_leave_in_any_order),
+		table_test(a_job_is_waited_for_until_it_has_ended),
 		table_test(what_is_left_is_dropped),
 	};
 
