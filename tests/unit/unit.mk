@@ -56,7 +56,8 @@ $(call unit,test_out_of_memory): private WRAPS := $(OUT_OF_MEMORY_WRAPS)
 
 # A kernel with the gloss module, for tests of "drm:"; without libdrm there is nothing to test.
 ifneq ($(DRM_LIBS),)
-DRM_TESTS := test_transport_drm test_transport_drm_open test_transport_drm_out_of_memory
+DRM_TESTS := test_transport_drm \
+	$(addprefix test_transport_drm_, open errors library out_of_memory)
 ACCEL_UNIT_TESTS += $(DRM_TESTS)
 FAKE_GLOSS_WRAPS := $(call wrap,open close stat access readlink drmGetDevices2 drmFreeDevices)
 $(call unit,$(DRM_TESTS)): $(addprefix $(BUILD)/tests/unit/transport/,fake_gloss.o fake_gloss_job.o \

@@ -5,16 +5,16 @@
 
 /*
  * Reached in other programs, as it takes memory of the program's own that runs out, or a driver:
- * accel_fence_wait -ETIME: test_transport_drm.c
- * accel_fence_fd -EMFILE: test_transport_drm.c
- * accel_fence_fd -EIO: test_transport_drm.c
- * accel_fence_fd -ENODEV: test_transport_drm.c
- * accel_device_finish -ETIME: test_transport_drm.c
- * accel_stream_submit -EIO: test_transport_drm.c
- * accel_stream_finish -ETIME: test_transport_drm.c
- * accel_draw_submit -EIO: test_transport_drm.c
+ * accel_fence_wait -ETIME: test_transport_drm_library.c
+ * accel_fence_fd -EMFILE: test_transport_drm_library.c
+ * accel_fence_fd -EIO: test_transport_drm_library.c
+ * accel_fence_fd -ENODEV: test_transport_drm_library.c
+ * accel_device_finish -ETIME: test_transport_drm_library.c
+ * accel_stream_submit -EIO: test_transport_drm_library.c
+ * accel_stream_finish -ETIME: test_transport_drm_library.c
+ * accel_draw_submit -EIO: test_transport_drm_library.c
  * accel_draw_submit -ENOMEM: test_draw_out_of_memory.c
- * accel_draw_finish -ETIME: test_transport_drm.c
+ * accel_draw_finish -ETIME: test_transport_drm_library.c
  * accel_draw_begin -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_clear -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_mesh -ENOMEM: test_draw_out_of_memory.c

@@ -10,16 +10,9 @@
 
 /* ---- what a job is ---- */
 
-static void a_fault_is_no_error_of_wait(void **state)
+static void a_fault_resets_no_board(void **state)
 {
-	const uint32_t stream[] = { 0, 0, 0xff000000, 0 };
-	const struct accel_transport_job job = { .stream = stream, .stream_words = 4 };
-	struct gloss_status status;
-
-	run(*state, &job, &status);
-	assert_int_equal(status.cause, GLOSS_FAULT_OPCODE);
-	assert_int_equal(status.offset, 2);
-	run_empty(*state);
+	a_fault_is_no_error_of_wait(state);
 	assert_int_equal(fake_usb.resets, 1);
 }
 
@@ -35,31 +28,6 @@ static void what_is_no_job_is_refused(void **state)
 	for (size_t i = 0; i < sizeof(jobs) / sizeof(jobs[0]); i++)
 		assert_int_equal(ops->submit(*state, &jobs[i], &sequence), -EINVAL);
 	run_empty(*state);
-}
-
-static void jobs_run_in_the_order_of_their_submission(void **state)
-{
-	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ_WRITE };
-	uint32_t stream[4], response = 0;
-	struct accel_transport_job job = { .stream = stream, .slot = &slot, .slots = 1 };
-	struct gloss_status status;
-	uint64_t sequence[100];
-
-	assert_int_equal(ops->memory_new(*state, 4, &slot.object), 0);
-	fake_usb_hold();
-	for (uint32_t i = 0; i < 100; i++) {
-		job.stream_words = (uint32_t)packet_write(stream, 0, 0, i);
-		sequence[i] = submit(*state, &job);
-	}
-	fake_usb_release();
-	job.stream_words = (uint32_t)packet_read(stream, 0, 0, 1);
-	job.response = &response;
-	job.response_words = 1;
-	run(*state, &job, &status);
-	assert_int_equal(response, 99);
-	for (uint32_t i = 0; i < 100; i++)
-		assert_int_equal(wait_for(*state, sequence[(37 * i) % 100], &status), 0);
-	ops->memory_free(*state, slot.object);
 }
 
 /* ---- transfers ---- */
@@ -150,20 +118,6 @@ static void what_is_queued_is_bounded(void **state)
 
 /* ---- board memory ---- */
 
-static void board_memory_runs_out_and_comes_back(void **state)
-{
-	uint64_t object[3];
-
-	assert_int_equal(ops->memory_new(*state, FAKE_USB_BOARD_BYTES / 2, &object[0]), 0);
-	assert_int_equal(ops->memory_new(*state, FAKE_USB_BOARD_BYTES / 2, &object[1]), 0);
-	assert_int_equal(ops->memory_new(*state, 4, &object[2]), -ENOMEM);
-	assert_int_equal(ops->memory_new(*state, 1ull << 31, &object[2]), -ENOMEM);
-	ops->memory_free(*state, object[1]);
-	assert_int_equal(ops->memory_new(*state, 4, &object[2]), 0);
-	ops->memory_free(*state, object[0]);
-	ops->memory_free(*state, object[2]);
-}
-
 static void write_all(void *state, uint64_t object, uint32_t bytes)
 {
 	const struct accel_transport_slot slot = { object, GLOSS_RIGHTS_WRITE };
@@ -247,30 +201,6 @@ static void a_wait_for_a_running_job_times_out(void **state)
 	assert_int_equal(ops->wait(*state, sequence, INT64_MAX, &status), 0);
 }
 
-static void a_job_is_waited_for_once(void **state)
-{
-	struct gloss_status status;
-	uint64_t sequence = submit_empty(*state);
-
-	assert_int_equal(wait_for(*state, sequence, &status), 0);
-	assert_int_equal(ops->wait(*state, sequence, -1, &status), -EINVAL);
-	assert_int_equal(ops->wait(*state, sequence + 1, -1, &status), -EINVAL);
-	run_empty(*state);
-}
-
-static void many_threads_wait_while_another_submits(void **state)
-{
-	struct waiter waiter[16];
-
-	fake_usb_hold();
-	start_waiters(*state, waiter, 8);
-	fake_usb_release();
-	start_waiters(*state, waiter + 8, 8);
-	for (int i = 0; i < 100; i++)
-		run_empty(*state);
-	join_waiters(waiter, 16, 0);
-}
-
 /* After a while the thread is asleep, and has to be woken. */
 static void a_board_that_was_idle_for_long_works(void **state)
 {
@@ -295,7 +225,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		usb_test(words_of_any_count_arrive),
 		usb_test(a_slot_is_as_large_as_was_asked_for_and_has_its_rights),
-		usb_test(a_fault_is_no_error_of_wait),
+		usb_test(a_fault_resets_no_board),
 		usb_test(what_is_no_job_is_refused),
 		usb_test(jobs_run_in_the_order_of_their_submission),
 		usb_test(a_large_job_has_transfers_in_flight_each_way),

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Jobs on a board of any transport, and what holds for all of them; ops is that of the test which
- * includes this.
+ * includes this, as are board_hold and board_release.
  */
 #ifndef TRANSPORT_TEST_H
 #define TRANSPORT_TEST_H
@@ -14,6 +14,10 @@
 #define PAGE_WORDS 1024u
 
 static const struct accel_transport_ops *const ops;
+
+/* The board runs no job until it is let go. */
+static inline void board_hold(void);
+static inline void board_release(void);
 
 /* As the library does, but for its lock. */
 static inline int try_submit(void *state, const struct accel_transport_job *job, uint64_t *sequence)
@@ -177,6 +181,83 @@ static inline void a_slot_is_as_large_as_was_asked_for_and_has_its_rights(void *
 	assert_int_equal(access_at(*state, &slot, 8, false), fault);
 	assert_int_equal(access_at(*state, &slot, 8, true), fault);
 	ops->memory_free(*state, slot.object);
+}
+
+static inline void a_fault_is_no_error_of_wait(void **state)
+{
+	const uint32_t stream[] = { 0, 0, 0xff000000, 0 };
+	const struct accel_transport_job job = { .stream = stream, .stream_words = 4 };
+	struct gloss_status status;
+
+	run(*state, &job, &status);
+	assert_int_equal(status.cause, GLOSS_FAULT_OPCODE);
+	assert_int_equal(status.offset, 2);
+	run_empty(*state);
+}
+
+static inline void jobs_run_in_the_order_of_their_submission(void **state)
+{
+	struct accel_transport_slot slot = { .rights = GLOSS_RIGHTS_READ_WRITE };
+	uint32_t stream[4], response = 0;
+	struct accel_transport_job job = { .stream = stream, .slot = &slot, .slots = 1 };
+	struct gloss_status status;
+	uint64_t sequence[100];
+
+	assert_int_equal(ops->memory_new(*state, 4, &slot.object), 0);
+	board_hold();
+	for (uint32_t i = 0; i < 100; i++) {
+		job.stream_words = (uint32_t)packet_write(stream, 0, 0, i);
+		sequence[i] = submit(*state, &job);
+	}
+	board_release();
+	job.stream_words = (uint32_t)packet_read(stream, 0, 0, 1);
+	job.response = &response;
+	job.response_words = 1;
+	run(*state, &job, &status);
+	assert_int_equal(response, 99);
+	for (uint32_t i = 0; i < 100; i++)
+		assert_int_equal(wait_for(*state, sequence[(37 * i) % 100], &status), 0);
+	ops->memory_free(*state, slot.object);
+}
+
+static inline void board_memory_runs_out_and_comes_back(void **state)
+{
+	struct accel_transport_info info;
+	uint64_t object[3];
+
+	ops->info(*state, &info);
+	assert_int_equal(ops->memory_new(*state, info.memory_size / 2, &object[0]), 0);
+	assert_int_equal(ops->memory_new(*state, info.memory_size / 2, &object[1]), 0);
+	assert_int_equal(ops->memory_new(*state, 4, &object[2]), -ENOMEM);
+	assert_int_equal(ops->memory_new(*state, 1ull << 31, &object[2]), -ENOMEM);
+	ops->memory_free(*state, object[1]);
+	assert_int_equal(ops->memory_new(*state, 4, &object[2]), 0);
+	ops->memory_free(*state, object[0]);
+	ops->memory_free(*state, object[2]);
+}
+
+static inline void a_job_is_waited_for_once(void **state)
+{
+	struct gloss_status status;
+	uint64_t sequence = submit_empty(*state);
+
+	assert_int_equal(wait_for(*state, sequence, &status), 0);
+	assert_int_equal(ops->wait(*state, sequence, -1, &status), -EINVAL);
+	assert_int_equal(ops->wait(*state, sequence + 1, -1, &status), -EINVAL);
+	run_empty(*state);
+}
+
+static inline void many_threads_wait_while_another_submits(void **state)
+{
+	struct waiter waiter[16];
+
+	board_hold();
+	start_waiters(*state, waiter, 8);
+	board_release();
+	start_waiters(*state, waiter + 8, 8);
+	for (int i = 0; i < 100; i++)
+		run_empty(*state);
+	join_waiters(waiter, 16, 0);
 }
 
 #endif

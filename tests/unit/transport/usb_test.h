@@ -8,6 +8,16 @@
 
 static const struct accel_transport_ops *const ops = &accel_transport_usb;
 
+static inline void board_hold(void)
+{
+	fake_usb_hold();
+}
+
+static inline void board_release(void)
+{
+	fake_usb_release();
+}
+
 static inline int usb_setup(void **state)
 {
 	struct accel_transport_error error = { "" };
