@@ -61,7 +61,7 @@ DRM_TESTS := test_transport_drm \
 ACCEL_UNIT_TESTS += $(DRM_TESTS)
 FAKE_GLOSS_WRAPS := $(call wrap,open close stat access readlink drmGetDevices2 drmFreeDevices)
 $(call unit,$(DRM_TESTS)): $(addprefix $(BUILD)/tests/unit/transport/,fake_gloss.o fake_gloss_job.o \
-	fake_gloss_node.o)
+	fake_gloss_node.o fake_gloss_syncobj.o)
 $(call unit,$(DRM_TESTS)): private WRAPS := $(FAKE_GLOSS_WRAPS)
 $(call unit,test_transport_drm_out_of_memory): private WRAPS := $(FAKE_GLOSS_WRAPS) \
 	$(OUT_OF_MEMORY_WRAPS)

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/eventfd.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
 #include <time.h>
@@ -14,8 +13,6 @@
 #include <xf86drm.h>
 
 #include "fake_gloss_priv.h"
-
-#define NS_PER_S 1000000000
 
 struct fake_gloss fake_gloss;
 struct fake_state fake = { .lock = PTHREAD_MUTEX_INITIALIZER };
@@ -132,108 +129,6 @@ static int gem_mmap_offset(const struct file *file, struct drm_gloss_gem_mmap_of
 	return o->kind == DRM_GLOSS_GEM_HOST ? 0 : -EINVAL;
 }
 
-struct syncobj *fake_syncobj_find(struct file *file, uint32_t handle)
-{
-	struct syncobj *syncobj = &file->syncobj[handle - 1];
-
-	return handle && handle <= SYNCOBJS && syncobj->used ? syncobj : NULL;
-}
-
-static int syncobj_create(struct file *file, struct drm_syncobj_create *create)
-{
-	if (create->flags)
-		return -EINVAL;
-	for (uint32_t i = 0; i < SYNCOBJS; i++) {
-		if (file->syncobj[i].used)
-			continue;
-		file->syncobj[i] = (struct syncobj){ .used = true };
-		create->handle = i + 1;
-		fake_gloss.syncobjs++;
-		return 0;
-	}
-	return -ENOMEM;
-}
-
-static int syncobj_destroy(struct file *file, const struct drm_syncobj_destroy *destroy)
-{
-	struct syncobj *syncobj = fake_syncobj_find(file, destroy->handle);
-
-	if (destroy->pad || !syncobj)
-		return -EINVAL;
-	syncobj->used = false;
-	fake_gloss.syncobjs--;
-	return 0;
-}
-
-static int syncobj_wait(struct file *file, const struct drm_syncobj_timeline_wait *wait)
-{
-	const uint32_t *handle = (const void *)(uintptr_t)wait->handles;
-	const uint64_t *point = (const void *)(uintptr_t)wait->points;
-	const struct timespec deadline = { wait->timeout_nsec / NS_PER_S,
-					   wait->timeout_nsec % NS_PER_S };
-	struct syncobj *syncobj = fake_syncobj_find(file, *handle);
-
-	if (wait->count_handles != 1 || wait->flags || wait->pad)
-		return -EINVAL;
-	if (!syncobj)
-		return -ENOENT;
-	if (*point > syncobj->submitted)
-		return -EINVAL;
-	fake_gloss.waits++;
-	while (syncobj->signalled < *point)
-		if (wait->timeout_nsec < 0 ||
-		    pthread_cond_timedwait(&fake.changed, &fake.lock, &deadline) == ETIMEDOUT)
-			return syncobj->signalled < *point ? -ETIME : 0;
-	return 0;
-}
-
-static int syncobj_transfer(struct file *file, const struct drm_syncobj_transfer *transfer)
-{
-	struct syncobj *from = fake_syncobj_find(file, transfer->src_handle);
-	struct syncobj *to = fake_syncobj_find(file, transfer->dst_handle);
-
-	if (!from || !to)
-		return -ENOENT;
-	if (transfer->flags || transfer->pad || transfer->dst_point ||
-	    transfer->src_point > from->submitted)
-		return -EINVAL;
-	to->source = from;
-	to->point = transfer->src_point;
-	return 0;
-}
-
-static int syncobj_export(struct file *file, struct drm_syncobj_handle *handle)
-{
-	struct syncobj *syncobj = fake_syncobj_find(file, handle->handle), *source;
-	int i = 0;
-
-	if (!syncobj)
-		return -ENOENT;
-	source = syncobj->source;
-	if (handle->flags != DRM_SYNCOBJ_HANDLE_TO_FD_FLAGS_EXPORT_SYNC_FILE || handle->pad ||
-	    !source)
-		return -EINVAL;
-	handle->fd = eventfd(source->signalled >= syncobj->point, EFD_CLOEXEC);
-	if (handle->fd < 0 || source->signalled >= syncobj->point)
-		return handle->fd < 0 ? -errno : 0;
-	while (source->sync_file[i])
-		i++;
-	source->sync_file[i] = fcntl(handle->fd, F_DUPFD_CLOEXEC, 3);
-	source->sync_point[i] = syncobj->point;
-	return 0;
-}
-
-void fake_syncobj_signal(struct syncobj *syncobj)
-{
-	for (int i = 0; i < SYNC_FILES; i++) {
-		if (!syncobj->sync_file[i] || syncobj->sync_point[i] > syncobj->signalled)
-			continue;
-		eventfd_write(syncobj->sync_file[i], 1);
-		syscall(SYS_close, syncobj->sync_file[i]);
-		syncobj->sync_file[i] = 0;
-	}
-}
-
 /* A text as DRM_IOCTL_VERSION gives it: cut to the room, with its whole length. */
 static void version_text(const char *text, char *to, __kernel_size_t *room)
 {
@@ -282,15 +177,15 @@ static int dispatch(struct file *file, unsigned long request, void *argument)
 	case DRM_IOCTL_GEM_CLOSE:
 		return gem_close(file, argument);
 	case DRM_IOCTL_SYNCOBJ_CREATE:
-		return syncobj_create(file, argument);
+		return fake_syncobj_create(file, argument);
 	case DRM_IOCTL_SYNCOBJ_DESTROY:
-		return syncobj_destroy(file, argument);
+		return fake_syncobj_destroy(file, argument);
 	case DRM_IOCTL_SYNCOBJ_TIMELINE_WAIT:
-		return syncobj_wait(file, argument);
+		return fake_syncobj_wait(file, argument);
 	case DRM_IOCTL_SYNCOBJ_TRANSFER:
-		return syncobj_transfer(file, argument);
+		return fake_syncobj_transfer(file, argument);
 	case DRM_IOCTL_SYNCOBJ_HANDLE_TO_FD:
-		return syncobj_export(file, argument);
+		return fake_syncobj_export(file, argument);
 	case DRM_IOCTL_GLOSS_GET_PARAM:
 		return get_param(file, argument);
 	case DRM_IOCTL_GLOSS_GEM_CREATE:

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What the files of fake_gloss.h share: objects and files in fake_gloss.c, jobs in
- * fake_gloss_job.c, the names of things in fake_gloss_node.c. */
+ * fake_gloss_job.c, syncobjs in fake_gloss_syncobj.c, the names of things in fake_gloss_node.c. */
 #ifndef FAKE_GLOSS_PRIV_H
 #define FAKE_GLOSS_PRIV_H
 
@@ -60,7 +60,12 @@ extern struct fake_state fake;
 struct object *fake_handle_find(const struct file *file, uint32_t handle);
 struct syncobj *fake_syncobj_find(struct file *file, uint32_t handle);
 
-/* Called with the lock held: the sync files of points that are signalled. */
+/* Called with the lock held: ioctls, and the sync files of points that are signalled. */
+int fake_syncobj_create(struct file *file, struct drm_syncobj_create *create);
+int fake_syncobj_destroy(struct file *file, const struct drm_syncobj_destroy *destroy);
+int fake_syncobj_wait(struct file *file, const struct drm_syncobj_timeline_wait *wait);
+int fake_syncobj_transfer(struct file *file, const struct drm_syncobj_transfer *transfer);
+int fake_syncobj_export(struct file *file, struct drm_syncobj_handle *handle);
 void fake_syncobj_signal(struct syncobj *syncobj);
 
 /* Called with the lock held. */
