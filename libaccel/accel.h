@@ -2,11 +2,12 @@
 /*
  * libaccel: draws on a Gloss board.
  *
- * Two levels share the nouns below. At the draw level a program hands over
- * meshes, matrices, lights and materials, and the library transforms, lights,
+ * Two levels share devices, buffers and fences. At the draw level a program hands
+ * over meshes, matrices, lights and materials, and the library transforms, lights,
  * chooses the shading of each triangle, bins triangles to tiles and packs the
- * command stream. At the stream level a program packs its own (packets are in
- * gloss_packets.h, their meaning in rtl/INTERFACE.md).
+ * command stream; its functions are in accel_draw.h, which this includes. At the
+ * stream level a program packs its own (packets are in gloss_packets.h, their
+ * meaning in rtl/INTERFACE.md). What is said here is true of both.
  *
  * Errors. Functions return 0 or a positive count, or a negative errno value;
  * a message saying what failed goes to the device's message function if there
@@ -100,14 +101,8 @@ template <typename type> inline type accel_sized()
 #endif
 /* clang-format on */
 
-#define ACCEL_LIGHTS 8
-#define ACCEL_TARGET_SIZE_MAX 2048
-
 struct accel_device;
 struct accel_buffer;
-struct accel_target;
-struct accel_state;
-struct accel_draw;
 struct accel_stream;
 struct accel_fence;
 
@@ -245,321 +240,6 @@ int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void 
 		       uint64_t size);
 int accel_buffer_read(struct accel_buffer *buffer, uint64_t offset, void *data, uint64_t size);
 
-/* ---- target: colour and depth to draw on ---- */
-
-/*
- * @width and @height are in pixels, 1 to ACCEL_TARGET_SIZE_MAX. Colour and depth are
- * zero. A target takes 8 bytes of board memory a pixel, with both sides rounded up to
- * multiples of 64. -EINVAL: another size. -ENOMEM: also when board memory has no room.
- */
-int accel_target_new(struct accel_device *device, int width, int height,
-		     struct accel_target **target);
-/* Does not wait, as accel_buffer_free. */
-void accel_target_free(struct accel_target *target);
-
-/* What a target has for each pixel, 4 bytes of each. */
-enum accel_plane {
-	ACCEL_PLANE_COLOUR, /* red, green, blue, alpha: a byte each, in this order */
-	ACCEL_PLANE_DEPTH   /* a uint32_t: depth in bits 23:0, 0xffffff is 1 */
-};
-
-/* Pixels from the top left corner of a target. */
-struct accel_rectangle {
-	int x, y, width, height;
-};
-
-/*
- * Reads the pixels of @plane that are in @part, or all if that is NULL, after all jobs that
- * were submitted before. Rows come from the top into @pixels. @pitch is the bytes from a row
- * to the next, a multiple of 4 and at least 4 for each pixel of a row; bytes between rows are
- * left alone. Only the pixels in @part are fetched from the board, and none if it has none.
- * Bits 31:24 of a depth are zero, unless a stream of your own wrote stencil there. After an
- * error other than -EINVAL some rows may have been read.
- * -EINVAL: there is no such @plane; @part is not within the target; @pitch is none. -EIO,
- * -ENODEV.
- */
-int accel_target_read(struct accel_target *target, enum accel_plane plane,
-		      const struct accel_rectangle *part, void *pixels, size_t pitch);
-
-/* ---- state: everything a draw depends on but the mesh ---- */
-
-enum accel_shading {
-	ACCEL_SHADING_GOURAUD,   /* lit at vertices, linear in space between, as in OpenGL */
-	ACCEL_SHADING_ADAPTIVE,  /* the default: as much as each triangle needs */
-	ACCEL_SHADING_QUADRATIC, /* one second-order surface on each triangle */
-	ACCEL_SHADING_FLAT       /* one colour a triangle */
-};
-
-enum accel_compare {
-	ACCEL_COMPARE_NEVER,
-	ACCEL_COMPARE_LESS,
-	ACCEL_COMPARE_EQUAL,
-	ACCEL_COMPARE_LEQUAL,
-	ACCEL_COMPARE_GREATER,
-	ACCEL_COMPARE_NOTEQUAL,
-	ACCEL_COMPARE_GEQUAL,
-	ACCEL_COMPARE_ALWAYS
-};
-
-enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
-
-/*
- * Reflectances, RGBA, and the specular exponent. The alpha of a lit pixel is diffuse[3]. With all
- * members zero a surface is black and its alpha 0.
- */
-struct accel_material {
-	size_t size; /* of this struct, bytes: set by ACCEL_MATERIAL() */
-	float emission[4], ambient[4], diffuse[4], specular[4];
-	float shininess;   /* the specular exponent, 0 to 1000 */
-	uint32_t reserved; /* 0 */
-};
-#define ACCEL_MATERIAL(...) ACCEL_SIZED(accel_material, __VA_ARGS__)
-
-/*
- * A light, in eye space. A plain light needs no more than @enabled, @position and its colours.
- * With position[3] = 0 it is directional and position is the direction towards it; else it is
- * a point, at position / position[3]. A point is as bright at any distance; if one of
- * @attenuation is not 0, then 1/(c + l*d + q*d^2) of its light arrives at the distance d.
- * A point with a spot_cutoff is a spot: it shines so many degrees around spot_direction and no
- * farther.
- */
-struct accel_light {
-	size_t size; /* of this struct, bytes: set by ACCEL_LIGHT() */
-	bool enabled;
-	float position[4];
-	float ambient[4], diffuse[4], specular[4];
-	float attenuation[3];    /* c, l, q, none below 0; all 0: as 1, 0, 0 */
-	float spot_direction[3]; /* all 0: as 0, 0, -1 */
-	float spot_exponent;     /* how fast it gets less bright, 0 to 128 */
-	float spot_cutoff;       /* degrees, above 0 to 90; 0, or 180 as in OpenGL: no spot */
-	uint32_t reserved;       /* 0 */
-};
-#define ACCEL_LIGHT(...) ACCEL_SIZED(accel_light, __VA_ARGS__)
-
-/*
- * A new state has the defaults that the functions below name, and OpenGL's defaults for
- * the rest. Matrices are the identity. The material of both sides has ambient 0.2 and
- * diffuse 0.8 and nothing else. The ambient light is 0.2. All lights are off; the first
- * is white and the others black, and they shine along -z. A state belongs to no device
- * and may be used with any.
- */
-int accel_state_new(struct accel_state **state);
-void accel_state_free(struct accel_state *state);
-
-/*
- * The functions below copy what they are given. They take effect with the next
- * accel_draw_mesh. An argument of an enum has to be one of its values.
- */
-
-/* Model to eye space, and eye to clip space. If a number in either is not finite,
- * accel_draw_mesh refuses every mesh that has a vertex. */
-void accel_state_set_modelview(struct accel_state *state, const float matrix[16]);
-void accel_state_set_projection(struct accel_state *state, const float matrix[16]);
-/* The window rectangle in pixels: its top left corner and size. A width < 0, the default, means
- * the whole target. It may lie anywhere. If its width is 0 or its height <= 0, nothing is drawn. */
-void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height);
-/* The depth of the near and of the far plane, 0 and 1 by default. Clamped to 0..1, NaN to 0. */
-void accel_state_set_depth_range(struct accel_state *state, float near, float far);
-/* Nothing is drawn outside this rectangle: pixels, from the top left corner. A width < 0, the
- * default, switches it off. It may lie anywhere. If its width is 0 or its height <= 0, nothing is
- * drawn. */
-void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height);
-/*
- * A pixel is drawn if its depth compares as @func with the depth in the target. With @write
- * its depth then replaces that. The default is ALWAYS without write, which is no depth test.
- */
-void accel_state_set_depth(struct accel_state *state, enum accel_compare func, bool write);
-/* Which channels are written; all by default. */
-void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue,
-				 bool alpha);
-/* Which faces are not drawn, none by default. Front faces are counter-clockwise on screen
- * (NDC, y up). */
-void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
-/* Off by default: the colours of vertices are drawn as they are, or white without any. */
-void accel_state_set_lighting(struct accel_state *state, bool enabled);
-/*
- * What a mesh's colours do while lighting is on. True: limited to 0..1 they take the place of the
- * material's ambient and diffuse reflectances, on both sides, and of its alpha. This is OpenGL's
- * COLOR_MATERIAL with its default mode. False, the default: nothing. A mesh without colours has
- * those of the material.
- */
-void accel_state_set_colour_material(struct accel_state *state, bool enabled);
-/* How back faces are lit. True: with the normal reversed and the back material. False, the
- * default: as front faces. */
-void accel_state_set_two_sided(struct accel_state *state, bool enabled);
-/* From where highlights are seen. True, the default: from the eye. False: from (0,0,1), for all
- * points of the mesh. */
-void accel_state_set_local_viewer(struct accel_state *state, bool enabled);
-/* The light that comes from everywhere. -EINVAL: a value is not finite. */
-int accel_state_set_ambient(struct accel_state *state, const float rgba[4]);
-/* @back may be NULL and is then the same as @front. -EINVAL: a shininess is outside 0..1000, a
- * value is not finite, or a size is not set or @reserved is. -E2BIG: a struct has members that
- * are not known. */
-int accel_state_set_material(struct accel_state *state, const struct accel_material *front,
-			     const struct accel_material *back);
-/* -EINVAL: @index is not in 0..ACCEL_LIGHTS-1; a value is not finite; an attenuation of a point
- * is negative; a spot's exponent or cutoff is out of range; the size is not set or @reserved is.
- * -E2BIG: @light has members that are not known. */
-int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
-/* How light and colours vary over a triangle; ACCEL_SHADING_ADAPTIVE by default. */
-void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
-
-/* ---- mesh: lent for the duration of a call ---- */
-
-/* What vertices make, in OpenGL's order. Triangles, their strips and fans are drawn so far. */
-enum accel_topology {
-	ACCEL_TOPOLOGY_POINTS,
-	ACCEL_TOPOLOGY_LINES,
-	ACCEL_TOPOLOGY_LINE_LOOP,
-	ACCEL_TOPOLOGY_LINE_STRIP,
-	ACCEL_TOPOLOGY_TRIANGLES,
-	ACCEL_TOPOLOGY_TRIANGLE_STRIP,
-	ACCEL_TOPOLOGY_TRIANGLE_FAN,
-	ACCEL_TOPOLOGY_QUADS,
-	ACCEL_TOPOLOGY_QUAD_STRIP,
-	ACCEL_TOPOLOGY_POLYGON
-};
-
-/* Of a number in an array. FLOAT everywhere and normalised UBYTE for colours are read so far. */
-enum accel_type {
-	ACCEL_TYPE_FLOAT,
-	ACCEL_TYPE_DOUBLE,
-	ACCEL_TYPE_FIXED, /* s15.16 */
-	ACCEL_TYPE_BYTE,
-	ACCEL_TYPE_UBYTE,
-	ACCEL_TYPE_SHORT,
-	ACCEL_TYPE_USHORT,
-	ACCEL_TYPE_INT,
-	ACCEL_TYPE_UINT
-};
-
-/*
- * An element for each vertex, at any address. With no more than @data it is an array of floats
- * without gaps, as many for each vertex as the attribute has:
- *
- *	struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES, .vertices = 3,
- *					    .position = { .data = corner });
- */
-struct accel_array {
-	const void *data; /* NULL: there is none */
-	uint32_t stride;  /* bytes from an element to the next; 0: no gaps */
-	enum accel_type type;
-	uint8_t components;  /* numbers of an element; 0: all of the attribute */
-	bool normalised;     /* the whole range of an integer type stands for 0 to 1 */
-	bool constant;       /* the first element is all vertices', @stride is ignored */
-	uint8_t reserved[5]; /* 0 */
-};
-
-struct accel_mesh {
-	size_t size; /* of this struct, bytes: set by ACCEL_MESH() */
-	enum accel_topology topology;
-	uint32_t vertices;           /* that the arrays have */
-	struct accel_array position; /* x, y, z; or x and y, and z is 0 */
-	struct accel_array normal;   /* x, y, z, of any length; none: flat, from the triangle */
-	struct accel_array colour;   /* RGBA; or RGB, and alpha is 1 */
-	const uint32_t *index;       /* of vertices; NULL: all of them in order */
-	uint32_t indices;            /* ignored without @index */
-	uint32_t reserved;           /* 0 */
-};
-#define ACCEL_MESH(...) ACCEL_SIZED(accel_mesh, __VA_ARGS__)
-
-/* ---- draw: a frame being collected ---- */
-
-/* Bits of accel_clear.mask. */
-#define ACCEL_CLEAR_COLOUR 1u
-#define ACCEL_CLEAR_DEPTH 2u
-
-/* What a target, all of it, is cleared to. */
-struct accel_clear {
-	size_t size;       /* of this struct, bytes: set by ACCEL_CLEAR() */
-	unsigned int mask; /* what is cleared, of ACCEL_CLEAR_* */
-	float rgba[4];     /* limited to 0..1 */
-	float depth;       /* 0 to 1 */
-};
-#define ACCEL_CLEAR(...) ACCEL_SIZED(accel_clear, __VA_ARGS__)
-
-/* What became of the triangles of a frame. A new frame begins at zero. */
-struct accel_draw_stats {
-	uint64_t triangles_in;               /* before clipping, culling and splitting */
-	uint64_t culled;                     /* out of view, turned away, or between the pixels */
-	uint64_t clipped;                    /* cut, with a part left that is drawn */
-	uint64_t flat, linear, second_order; /* drawn, after splitting */
-	uint64_t split;                      /* triangles that were split */
-	uint64_t records;                    /* TRIANGLE packets: a triangle in a tile */
-	uint64_t stream_words;
-	uint64_t tiles;
-};
-
-/* A draw collects one frame at a time, and keeps the memory that this took for the next. */
-int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
-/* Forgets a frame that was not submitted. */
-void accel_draw_free(struct accel_draw *draw);
-
-/*
- * Begins a frame on @target, which may be freed before the frame is submitted. The target is
- * cleared as @clear says, also if nothing is drawn then; NULL: what it has is kept, and drawn on.
- * A frame that was begun before and not submitted is forgotten.
- * -EINVAL: @target is another device's; @clear has a mask without a bit, or with others, a colour
- * that is not finite, a depth outside 0..1 (of what the mask names), or no size. -E2BIG: @clear has
- * members that are not known. After -ENOMEM no frame is begun, after other errors nothing changed.
- */
-int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
-		     const struct accel_clear *clear);
-
-/*
- * Clears the whole target in the middle of a frame, before what is drawn from here on. If the mask
- * has all bits, what the frame had drawn before is forgotten.
- * -EINVAL: no frame was begun; @clear as for accel_draw_begin. -E2BIG: @clear has members that are
- * not known. After -ENOMEM the frame is forgotten, and to be begun again.
- */
-int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *clear);
-
-/*
- * Draws @mesh on the frame's target as @state says.
- * -EINVAL: no frame was begun; an index out of range; a coordinate that is not finite; no
- * position array; an array or a topology that is not drawn so far; a size that is not set, or
- * a @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn
- * then. After -ENOMEM the frame is forgotten, and to be begun again.
- *
- * Pixels are covered by OpenGL's rule, with vertices rounded to 1/16 pixel. Shading changes
- * neither which pixels are covered nor their depth, so passes with different shading meet.
- * Edges are exact as long as the clip coordinates of a triangle are at most 2^90 times its w.
- * Light is worked out in single precision: that of a lamp near a triangle that reaches far
- * beyond what is seen is not exact.
- *
- * With ACCEL_SHADING_GOURAUD, and without lighting with ACCEL_SHADING_ADAPTIVE, the colours of
- * vertices are linear in space between them, also on clipped triangles. They are within 2/255,
- * and alpha within 4/255, if w differs along each edge by a factor of at most 10 and the triangle
- * is at least a pixel across. A triangle along whose edges w differs by less than 1 % is one
- * record in each tile; others take second-order surfaces or are split.
- */
-int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
-		    const struct accel_mesh *mesh);
-
-/*
- * Fills @stats, of which the caller has @size bytes: sizeof(*stats). The counts so far; stream
- * words, tiles and records are known after the submit.
- */
-void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats, size_t size);
-
-/*
- * Sends the frame to the board, and does not wait until it is drawn; the next one is to be begun.
- * On success *@fence is the caller's to wait for and free. @fence may be NULL: then nobody waits
- * for the frame, and accel_device_finish tells if it failed. Of a very large frame, which is
- * several jobs, the fence is that of all.
- * -EINVAL: no frame was begun. -EIO: the board refused the stream, or there was memory for some
- * of the jobs only. -ENODEV, -ENOMEM. After an error the frame is still there, to be submitted
- * again, unless some of its jobs were sent.
- */
-int accel_draw_submit(struct accel_draw *draw, struct accel_fence **fence);
-
-/*
- * Submits the frame as accel_draw_submit does, and waits until it is drawn.
- * -EINVAL: no frame was begun. -EIO, -ETIME, -ENODEV, -ENOMEM: as accel_draw_submit, which may
- * leave the frame there, or as accel_fence_wait.
- */
-int accel_draw_finish(struct accel_draw *draw);
-
 /* ---- stream: your own packets ---- */
 
 #define ACCEL_SLOT_READ 1u
@@ -645,5 +325,7 @@ void accel_fence_free(struct accel_fence *fence);
 #ifdef __cplusplus
 }
 #endif
+
+#include "accel_draw.h"
 
 #endif

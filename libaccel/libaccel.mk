@@ -81,7 +81,7 @@ install-lib: lib $(ACCEL_SIMS)
 	$(call quiet,INSTALL,libaccel)
 	$(Q)install -d $(DESTDIR)$(PREFIX)/include/gloss $(DESTDIR)$(LIBDIR)/pkgconfig \
 		$(DESTDIR)$(LIBDIR)/gloss
-	$(Q)install -m 644 libaccel/accel.h libaccel/gloss_packets.h \
+	$(Q)install -m 644 libaccel/accel.h libaccel/accel_draw.h libaccel/gloss_packets.h \
 		$(DESTDIR)$(PREFIX)/include/gloss
 	$(Q)install -m 755 $(BUILD)/$(ACCEL_SONAME) $(DESTDIR)$(LIBDIR)
 	$(Q)ln -sf $(ACCEL_SONAME) $(DESTDIR)$(LIBDIR)/libaccel.so

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* The draw calls of accel.h: what they take, and when a frame begins and ends. */
+/* The draw calls of accel_draw.h: what they take, and when a frame begins and ends. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

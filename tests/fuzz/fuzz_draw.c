@@ -2,7 +2,7 @@
 /*
  * fuzz_draw FRAMES
  *
- * Frames of anything that the draw level of accel.h can be asked for: meshes, states, targets and
+ * Frames of anything that the calls of accel_draw.h can be asked for: meshes, states, targets and
  * clears, with numbers from the ends of their types, and memory that runs out. Whatever it is, a
  * call answers as the header says, and the board takes the stream of every frame without a fault.
  *

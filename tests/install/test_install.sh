@@ -12,6 +12,7 @@ mkdir -p "$work"
 
 {
 	echo "$prefix/include/gloss/accel.h"
+	echo "$prefix/include/gloss/accel_draw.h"
 	echo "$prefix/include/gloss/gloss_packets.h"
 	for file in libaccel.a libaccel.so libaccel.so.0 pkgconfig/libaccel.pc; do
 		echo "$libdir/$file"
@@ -46,6 +47,9 @@ static=$(pkg-config --static --libs libaccel | sed 's/-laccel\b/-l:libaccel.a/')
 			return err;
 		}
 	end
+	for header in accel.h accel_draw.h gloss_packets.h; do
+		echo "#include <$header>" | $cc -std=c11 $cflags -fsyntax-only -x c -
+	done
 	for std in c++11 c++20; do
 		$cxx -std=$std $cflags "$work/cxx.cpp" $libs -o "$work/cxx-$std"
 	done

@@ -2,7 +2,7 @@
 /*
  * The reference for quality and the baseline for speed: per-pixel Phong shading
  * in plain C. Vertex normals and eye positions are interpolated over the
- * triangle with perspective, and the lighting of accel.h (OpenGL's, with
+ * triangle with perspective, and the lighting of accel_draw.h (OpenGL's, with
  * Blinn's half vector) is evaluated at each pixel that passes the depth test.
  *
  * It covers the pixels the library covers: vertices are snapped to 1/16 pixel,

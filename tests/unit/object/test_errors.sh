@@ -5,9 +5,12 @@
 set -eu
 out=$1/tests/unit/errors
 mkdir -p "$out"
+# accel.h, and those of the library that it includes.
+headers=$("${CC:-cc}" -MM libaccel/accel.h | sed 's/^[^:]*://; s/\\$//')
 
 # A comment is that of the functions that follow it, up to the next comment or empty line; of these
 # only those of type int have errors.
+# shellcheck disable=SC2086 # a list of files
 awk '
 /^\/\*/ { text = "" }
 /^\/\*/, /\*\/$/ { text = text " " $0; next }
@@ -20,7 +23,7 @@ awk '
 		print name, substr(rest, RSTART, RLENGTH)
 		rest = substr(rest, RSTART + RLENGTH)
 	}
-}' libaccel/accel.h | sort -u >"$out/promised"
+}' $headers | sort -u >"$out/promised"
 
 {
 	sed -n 's/^\t{ "\(accel_[a-z_]*\)", \(-E[A-Z0-9]*\), .*/\1 \2/p' tests/unit/object/errors_*.c
