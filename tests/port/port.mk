@@ -18,7 +18,7 @@ BOARD_TESTS := $(addprefix $(BUILD)/tests/port/,test_boards test_usb_boards)
 
 $(BOARD_TESTS): private LIBS := -ldl
 $(BOARD_TESTS): $(BUILD)/tests/port/pair.o $(PORT_HOST_OBJ) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
-$(BUILD)/tests/port/test_boards: $(BOARD_MODEL_OBJECTS)
+$(BUILD)/tests/port/test_boards: $(BUILD)/tests/port/pci_jobs.o $(BOARD_MODEL_OBJECTS)
 $(BUILD)/tests/port/test_usb_boards: $(USB_HOST_OBJ) $(BOARD_USB_MODEL_OBJECTS)
 
 .PHONY: check-port check-port-pci check-port-usb
