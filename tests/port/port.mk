@@ -13,13 +13,13 @@ PORT_TEST_BOARDS := $(addprefix $(BUILD)/sim/accel-board-,t32-k1.so t64-k2.so t6
 USB_ROUNDS ?= 130
 USB_TEST_BOARDS := $(addprefix $(BUILD)/sim/accel-usb-,t32-k1.so t64-k2.so)
 
-
 BOARD_TESTS := $(addprefix $(BUILD)/tests/port/,test_boards test_usb_boards)
 
 $(BOARD_TESTS): private LIBS := -ldl
 $(BOARD_TESTS): $(BUILD)/tests/port/pair.o $(PORT_HOST_OBJ) $(STREAM_RANDOM_OBJS) $(MODEL_OBJS)
 $(BUILD)/tests/port/test_boards: $(BUILD)/tests/port/pci_jobs.o $(BOARD_MODEL_OBJECTS)
-$(BUILD)/tests/port/test_usb_boards: $(USB_HOST_OBJ) $(BOARD_USB_MODEL_OBJECTS)
+$(BUILD)/tests/port/test_usb_boards: $(BUILD)/tests/port/usb_jobs.o $(USB_HOST_OBJ) \
+	$(BOARD_USB_MODEL_OBJECTS)
 
 .PHONY: check-port check-port-pci check-port-usb
 check-port: check-port-pci check-port-usb ## the ports: models against RTL

@@ -13,58 +13,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pair.h"
-#include "transport/usb/checksum.h"
-#include "usb_host.h"
+#include "usb_jobs.h"
 
 #define BATCHES 3
-#define JOBS 4 /* with a loss as many events as may wait */
-
-/* What happens to a batch of jobs. */
-enum kind {
-	PLAIN,
-	FULL,     /* IN is not read for a while */
-	TORN,     /* the host stops at some word */
-	LOST,     /* no job begins with the word behind them */
-	HEAD,     /* a bit of a job's length, room or sequence is wrong */
-	CHECKSUM, /* a bit of a job's checksum is wrong */
-	RESET,    /* at some time, another one on each board */
-	WILD,     /* a bit of anything is wrong */
-	KINDS
-};
 
 static const char *const kind_names[KINDS] = { "plain", "full",     "torn",  "lost",
 					       "head",  "checksum", "reset", "wild" };
 
-struct test {
-	struct pair pair;                         /* first: a pair is the test */
-	const struct gloss_usb_board_ops *ops[2]; /* the model's, the plugin's */
-	struct usb_host host[2];
-	bool synchronised;
-	uint32_t nonce, sequence;
-	struct usb_words stale; /* words of before the reset that come after it */
-
-	/* The batch. */
-	struct gloss_slot slot[JOBS][GLOSS_SLOTS];
-	uint32_t head[JOBS]; /* where each begins in OUT */
-	uint32_t jobs;
-
-	/* A stream has stopped, and the plugin's core takes several words at once, or none. */
-	bool short_of_words;
-
-	uint64_t batches[KINDS], words;
-};
-
-static uint32_t below(struct test *test, uint32_t n)
-{
-	return pair_below(&test->pair, n);
-}
-
-#define differ(test, ...) pair_differ(&(test)->pair, __VA_ARGS__)
-
 /* ---- comparing ---- */
 
-static bool comparable(const struct test *test, uint32_t offset)
+static bool comparable(const struct usb_test *test, uint32_t offset)
 {
 	if (offset == GLOSS_REG_CAPABILITIES ||
 	    (offset >= GLOSS_REG_CLOCKS_LOW && offset <= GLOSS_REG_STALL_RESPONSE))
@@ -72,7 +30,7 @@ static bool comparable(const struct test *test, uint32_t offset)
 	return !test->short_of_words || offset != GLOSS_REG_PROGRESS;
 }
 
-static int compare_registers(struct test *test)
+static int compare_registers(struct usb_test *test)
 {
 	for (uint32_t offset = 0; offset <= 0x100; offset += 4) {
 		uint32_t model = usb_host_read(&test->host[0], offset);
@@ -86,7 +44,7 @@ static int compare_registers(struct test *test)
 }
 
 /* Is what one board gave the same as far as the other came? */
-static int compare_words(struct test *test, const char *what, const struct usb_words *model,
+static int compare_words(struct usb_test *test, const char *what, const struct usb_words *model,
 			 const struct usb_words *other)
 {
 	uint32_t count = model->count < other->count ? model->count : other->count;
@@ -98,7 +56,7 @@ static int compare_words(struct test *test, const char *what, const struct usb_w
 	return 0;
 }
 
-static int compare_begun(struct test *test)
+static int compare_begun(struct usb_test *test)
 {
 	struct usb_host *model = &test->host[0], *other = &test->host[1];
 
@@ -107,14 +65,14 @@ static int compare_begun(struct test *test)
 	       compare_words(test, "word of events", &model->event, &other->event);
 }
 
-static int compare_count(struct test *test, const char *what, uint32_t model, uint32_t other)
+static int compare_count(struct usb_test *test, const char *what, uint32_t model, uint32_t other)
 {
 	if (model != other)
 		return differ(test, "%u %s, the model's are %u", other, what, model);
 	return 0;
 }
 
-static int compare_channels(struct test *test)
+static int compare_channels(struct usb_test *test)
 {
 	struct usb_host *model = &test->host[0], *other = &test->host[1];
 
@@ -127,144 +85,17 @@ static int compare_channels(struct test *test)
 	       compare_count(test, "words of events", model->event.count, other->event.count);
 }
 
-/* ---- words of OUT ---- */
-
-static void add_words(struct test *test, const uint32_t *words, uint32_t count)
-{
-	for (uint32_t side = 0; side < 2; side++)
-		usb_words_add(&test->host[side].out, words, count);
-}
-
-static void flip(struct test *test, uint32_t word)
-{
-	uint32_t bit = 1u << below(test, 32);
-
-	for (uint32_t side = 0; side < 2; side++)
-		test->host[side].out.word[word] ^= bit;
-}
-
-/* Where job @n ends. */
-static uint32_t tail(const struct test *test, uint32_t n)
-{
-	return (n + 1 < test->jobs ? test->head[n + 1] : test->host[0].out.count) - 1;
-}
-
-/* Another length, room or sequence, and the checksum that goes with it. */
-static void change_head(struct test *test, uint32_t n)
-{
-	uint32_t from = test->head[n] + GLOSS_USB_JOB_STREAM_WORDS_WORD;
-
-	flip(test, test->head[n] + 1 + below(test, 3));
-	for (uint32_t side = 0; side < 2; side++) {
-		uint32_t *out = test->host[side].out.word;
-
-		out[tail(test, n)] = accel_usb_checksum(0, out + from, tail(test, n) - from);
-	}
-}
-
-static void make_job(struct test *test, uint32_t n)
-{
-	const struct accel_job *job = &test->pair.stream.job;
-	uint32_t slots = GLOSS_SLOTS;
-
-	pair_make_job(&test->pair, test->ops[0]->tile_size);
-	/* Slots that are not sent are empty. */
-	while (slots && !job->slot[slots - 1].size)
-		slots--;
-	if (below(test, 8) == 0)
-		slots = below(test, slots + 1);
-	memset(test->slot[n], 0, sizeof(test->slot[n]));
-	memcpy(test->slot[n], job->slot, slots * sizeof(job->slot[0]));
-	test->head[n] = test->host[0].out.count;
-	for (uint32_t side = 0; side < 2; side++)
-		usb_host_job(&test->host[side], job, slots, test->sequence);
-	test->sequence += 1 + below(test, 0x10000000);
-}
-
-static uint32_t lost_word(struct test *test)
-{
-	uint32_t word = GLOSS_USB_JOB_MAGIC << 8 | below(test, GLOSS_SLOTS + 1);
-
-	if (below(test, 4) == 0)
-		return GLOSS_USB_SYNC_MAGIC;
-	if (below(test, 4) == 0)
-		return (word & ~GLOSS_USB_JOB_SLOTS) | (GLOSS_SLOTS + 1 + below(test, 15));
-	return word ^ 1u << (5 + below(test, 27));
-}
-
-static void make_jobs(struct test *test, enum kind kind)
-{
-	uint32_t jobs = 1 + below(test, kind == LOST ? JOBS - 1 : JOBS);
-	uint32_t words, word;
-
-	for (test->jobs = 0; test->jobs < jobs; test->jobs++)
-		make_job(test, test->jobs);
-	words = test->host[0].out.count - test->head[0];
-	if (kind == LOST) {
-		word = lost_word(test);
-		add_words(test, &word, 1);
-		make_job(test, jobs);
-	}
-	if (kind == HEAD)
-		change_head(test, below(test, jobs));
-	if (kind == CHECKSUM)
-		flip(test, tail(test, below(test, jobs)));
-	if (kind == WILD)
-		flip(test, test->head[0] + below(test, words));
-	if (kind == TORN) {
-		words = below(test, words);
-		for (uint32_t side = 0; side < 2; side++)
-			test->host[side].out.count = test->head[0] + words;
-	}
-}
-
-/* ---- what happens to them ---- */
-
-/* Small pieces are for short batches: each is a step of a simulator. */
-static uint32_t piece(struct test *test, uint32_t words)
-{
-	uint32_t least = words / 2000;
-
-	return least + (1u << below(test, 14));
-}
-
-static void pace(struct test *test, struct usb_host *host)
-{
-	host->offer = piece(test, host->out.count - host->sent);
-	host->take = piece(test, STREAM_RANDOM_RESPONSE / 4);
-}
-
-static int run_side(struct test *test, enum kind kind, uint32_t side)
-{
-	struct usb_host *host = &test->host[side];
-	uint32_t steps = below(test, 30);
-
-	pace(test, host);
-	if (kind == FULL)
-		host->take = 0;
-	if (kind == FULL || kind == RESET)
-		while (steps && usb_host_step(host))
-			steps--;
-	if (kind == FULL)
-		pace(test, host);
-	if (kind != RESET && !usb_host_run(host))
-		return differ(test, "board %u does not come to rest", side);
-	if (kind != RESET && host->sent != host->out.count)
-		return differ(test, "board %u does not take word %u of OUT", side, host->sent);
-	return 0;
-}
-
 /* ---- synchronisation ---- */
 
-static uint32_t make_nonce(struct test *test)
+static uint32_t make_nonce(struct usb_test *test)
 {
 	return 1 + below(test, 0xffffffff);
 }
 
 /* What an earlier host had yet to send, a usb_sync of another one, the right one. */
-static void make_sync(struct test *test)
+static void make_sync(struct usb_test *test)
 {
-	add_words(test, test->stale.word, test->stale.count);
+	usb_jobs_add_words(test, test->stale.word, test->stale.count);
 	for (uint32_t side = 0; side < 2; side++) {
 		if (test->stale.count % 2)
 			usb_host_sync(&test->host[side], test->nonce + 1);
@@ -272,7 +103,7 @@ static void make_sync(struct test *test)
 	}
 }
 
-static void keep_stale(struct test *test)
+static void keep_stale(struct usb_test *test)
 {
 	const struct usb_words *out = &test->host[0].out;
 	uint32_t from = below(test, out->count + 1);
@@ -283,7 +114,7 @@ static void keep_stale(struct test *test)
 		usb_words_add(&test->stale, out->word + from, count < 3000 ? count : 3000);
 }
 
-static int reset(struct test *test)
+static int reset(struct usb_test *test)
 {
 	for (uint32_t side = 0; side < 2; side++)
 		if (!usb_host_reset(&test->host[side], test->nonce))
@@ -291,21 +122,21 @@ static int reset(struct test *test)
 	return compare_registers(test);
 }
 
-static int power_on(struct test *test)
+static int power_on(struct usb_test *test)
 {
 	for (uint32_t side = 0; side < 2; side++)
 		test->ops[side]->reset(test->host[side].board);
 	return compare_registers(test);
 }
 
-static int run_sync(struct test *test)
+static int run_sync(struct usb_test *test)
 {
-	return run_side(test, PLAIN, 0) || run_side(test, PLAIN, 1) || compare_channels(test) ||
-	       compare_registers(test);
+	return usb_jobs_run(test, PLAIN, 0) || usb_jobs_run(test, PLAIN, 1) ||
+	       compare_channels(test) || compare_registers(test);
 }
 
 /* A part of the usb_sync; the rest is stale after the next reset. */
-static int tear_sync(struct test *test)
+static int tear_sync(struct usb_test *test)
 {
 	uint32_t words = 1 + below(test, GLOSS_USB_SYNC_WORDS - 1);
 
@@ -320,7 +151,7 @@ static int tear_sync(struct test *test)
 	return run_sync(test);
 }
 
-static int synchronise(struct test *test)
+static int synchronise(struct usb_test *test)
 {
 	keep_stale(test);
 	test->nonce = make_nonce(test);
@@ -339,7 +170,7 @@ static int synchronise(struct test *test)
 /* ---- what is to be the same then ---- */
 
 /* What is known after the jobs that ended is the same; the reset leaves memory as it is. */
-static int check_torn(struct test *test)
+static int check_torn(struct usb_test *test)
 {
 	if (synchronise(test))
 		return 1;
@@ -349,7 +180,7 @@ static int check_torn(struct test *test)
 }
 
 /* A job whose slots leave board memory may end in two ways, and may write where it likes. */
-static int check_wild(struct test *test)
+static int check_wild(struct usb_test *test)
 {
 	if (synchronise(test))
 		return 1;
@@ -357,7 +188,7 @@ static int check_wild(struct test *test)
 	return 0;
 }
 
-static int check_answers(struct test *test)
+static int check_answers(struct usb_test *test)
 {
 	for (uint32_t n = 0; n < test->jobs; n++)
 		if (!usb_host_answer(&test->host[0]))
@@ -365,7 +196,7 @@ static int check_answers(struct test *test)
 	return usb_host_empty(&test->host[0]) ? 0 : differ(test, "more comes than answers");
 }
 
-static int check(struct test *test, enum kind kind)
+static int check(struct usb_test *test, enum kind kind)
 {
 	if (kind == WILD)
 		return check_wild(test);
@@ -387,20 +218,20 @@ static int check(struct test *test, enum kind kind)
 	return kind == LOST && synchronise(test);
 }
 
-static int run_batch(struct test *test)
+static int run_batch(struct usb_test *test)
 {
 	enum kind kind = below(test, 2) ? PLAIN : (enum kind)below(test, KINDS);
 
 	test->batches[kind]++;
 	if (!test->synchronised && synchronise(test))
 		return 1;
-	make_jobs(test, kind);
-	return run_side(test, kind, 0) || run_side(test, kind, 1) || check(test, kind);
+	usb_jobs_make(test, kind);
+	return usb_jobs_run(test, kind, 0) || usb_jobs_run(test, kind, 1) || check(test, kind);
 }
 
 static int run_round(struct pair *pair)
 {
-	struct test *test = (struct test *)pair;
+	struct usb_test *test = (struct usb_test *)pair;
 	int failed = 0;
 
 	test->synchronised = false;
@@ -434,7 +265,7 @@ static void end_in_any_order(struct pair *pair, const struct gloss_usb_board_ops
 
 static bool load(struct pair *pair, const void *symbol)
 {
-	struct test *test = (struct test *)pair;
+	struct usb_test *test = (struct usb_test *)pair;
 	const struct gloss_usb_board_ops *ops = symbol;
 
 	test->ops[1] = ops;
@@ -448,7 +279,7 @@ static bool load(struct pair *pair, const void *symbol)
 
 static void report(const struct pair *pair, uint64_t rounds)
 {
-	const struct test *test = (const struct test *)pair;
+	const struct usb_test *test = (const struct usb_test *)pair;
 
 	printf("test_usb_boards: T=%u K=%u: %" PRIu64 " rounds, %" PRIu64
 	       " IN words compared; batches",
@@ -467,7 +298,7 @@ int main(int argc, char **argv)
 		.round = run_round,
 		.report = report,
 	};
-	static struct test test;
+	static struct usb_test test;
 	int failed = pair_main(&test.pair, &boards, argc, argv);
 
 	free(test.stale.word);
