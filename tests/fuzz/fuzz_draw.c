@@ -9,88 +9,22 @@
  * Frame n is made of seed GLOSS_SEED + n alone, which is printed if it fails.
  */
 #include <errno.h>
-#include <float.h>
-#include <limits.h>
-#include <math.h>
 #include <sanitizer/common_interface_defs.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "accel.h"
+#include "fuzz_draw_numbers.h"
+#include "fuzz_draw_state.h"
 
 #define DEVICES 2
 #define TARGETS 4
 #define VERTICES 24
 #define INDICES 48
 #define FRAME_SECONDS 60
-
-/* ---- numbers ---- */
-
-static uint64_t frame_seed, state_of_random;
-
-/* splitmix64 */
-static uint64_t random_word(void)
-{
-	uint64_t z = state_of_random += 0x9e3779b97f4a7c15;
-
-	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-	z = (z ^ z >> 27) * 0x94d049bb133111eb;
-	return z ^ z >> 31;
-}
-
-static int below(int limit)
-{
-	return (int)(random_word() % (uint64_t)limit);
-}
-
-static bool one_in(int count)
-{
-	return below(count) == 0;
-}
-
-static int wildness; /* of this frame: one number in so many is special */
-
-static float any_float(void)
-{
-	static const float special[] = {
-		0,        -0.0f,   1,      -1,      NAN,   INFINITY, -INFINITY, FLT_MAX,
-		-FLT_MAX, FLT_MIN, 1e-45f, -1e-45f, 1e20f, -1e20f,   1e-20f,    1e10f,
-	};
-
-	if (wildness && one_in(wildness))
-		return special[below(16)];
-	return ldexpf((float)below(2001) / 1000 - 1, below(8) - 3);
-}
-
-static void any_floats(float *out, int count)
-{
-	for (int i = 0; i < count; i++)
-		out[i] = any_float();
-}
-
-/* In a range that is mostly kept. */
-static float float_to(float most)
-{
-	return one_in(20) ? any_float() : most * (float)below(1001) / 1000;
-}
-
-static int any_int(void)
-{
-	static const int special[] = { INT_MIN, INT_MIN + 1, -1, 0, 1, 64, INT_MAX - 1, INT_MAX };
-
-	switch (below(4)) {
-	case 0:
-		return special[below(8)];
-	case 1:
-		return (int)(uint32_t)random_word();
-	default:
-		return below(400) - 100;
-	}
-}
 
 /* ---- memory that runs out, for this thread, when @left allocations have succeeded ---- */
 
@@ -141,7 +75,7 @@ struct board {
 
 static struct board boards[DEVICES];
 static struct accel_state *state;
-static uint64_t meshes, taken, drawn;
+static uint64_t frame_seed, meshes, taken, drawn;
 
 static void tell_seed(void)
 {
@@ -193,102 +127,6 @@ static void boards_close(void)
 		accel_device_free(boards[i].device);
 	}
 	accel_state_free(state);
-}
-
-/* ---- states ---- */
-
-static void set_matrices(void)
-{
-	float matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-
-	if (one_in(3))
-		any_floats(matrix, 16);
-	else
-		any_floats(matrix + 12, 3);
-	accel_state_set_modelview(state, matrix);
-	/* Perspective from 0.1 to 20, orthographic, or anything. */
-	memset(matrix, 0, sizeof(matrix));
-	matrix[0] = matrix[5] = 1;
-	matrix[10] = one_in(2) ? -1.01f : 1;
-	matrix[11] = matrix[10] < 0 ? -1 : 0;
-	matrix[14] = matrix[10] < 0 ? -0.201f : 0;
-	matrix[15] = matrix[10] < 0 ? 0 : 1;
-	if (one_in(6))
-		any_floats(matrix, 16);
-	accel_state_set_projection(state, matrix);
-}
-
-static void set_light(void)
-{
-	struct accel_light light = ACCEL_LIGHT(.enabled = !one_in(5));
-
-	any_floats(light.position, 4);
-	if (one_in(2))
-		light.position[3] = 0;
-	any_floats(light.ambient, 4);
-	any_floats(light.diffuse, 4);
-	any_floats(light.specular, 4);
-	any_floats(light.spot_direction, 3);
-	for (int i = 0; i < 3; i++)
-		light.attenuation[i] = one_in(2) ? float_to(1) : 0;
-	light.spot_exponent = one_in(2) ? 0 : float_to(128);
-	light.spot_cutoff = one_in(2) ? 180 : float_to(90);
-	accel_state_set_light(state, below(ACCEL_LIGHTS + 1), &light);
-}
-
-static struct accel_material any_material(void)
-{
-	struct accel_material material = ACCEL_MATERIAL();
-
-	any_floats(material.emission, 4);
-	any_floats(material.ambient, 4);
-	any_floats(material.diffuse, 4);
-	any_floats(material.specular, 4);
-	material.shininess = one_in(4) ? 0 : float_to(1000);
-	return material;
-}
-
-static void set_surfaces(void)
-{
-	struct accel_material front = any_material(), back = any_material();
-	float ambient[4];
-
-	any_floats(ambient, 4);
-	accel_state_set_ambient(state, ambient);
-	accel_state_set_material(state, &front, one_in(2) ? &back : NULL);
-	accel_state_set_lighting(state, !one_in(3));
-	accel_state_set_colour_material(state, one_in(3));
-	accel_state_set_two_sided(state, one_in(2));
-	accel_state_set_local_viewer(state, one_in(2));
-	accel_state_set_shading(state, (enum accel_shading)below(4));
-}
-
-static void set_window(void)
-{
-	if (one_in(3))
-		accel_state_set_viewport(state, any_int(), any_int(), any_int(), any_int());
-	else
-		accel_state_set_viewport(state, 0, 0, -1, 0);
-	if (one_in(3))
-		accel_state_set_scissor(state, any_int(), any_int(), any_int(), any_int());
-	else
-		accel_state_set_scissor(state, 0, 0, -1, 0);
-	accel_state_set_depth_range(state, float_to(1), float_to(1));
-	accel_state_set_depth(state, (enum accel_compare)below(8), one_in(2));
-	accel_state_set_colour_mask(state, one_in(2), !one_in(4), one_in(2), !one_in(4));
-	accel_state_set_cull(state, (enum accel_cull)below(3));
-}
-
-static void set_state(void)
-{
-	if (one_in(2))
-		set_matrices();
-	for (int i = below(4); i > 0; i--)
-		set_light();
-	if (one_in(2))
-		set_surfaces();
-	if (one_in(2))
-		set_window();
 }
 
 /* ---- calls ---- */
@@ -443,9 +281,10 @@ static void frame(uint64_t seed)
 	struct accel_target *target, *own = NULL;
 	struct board *board;
 
-	frame_seed = state_of_random = seed;
+	frame_seed = seed;
+	numbers_start(seed);
 	board = &boards[below(DEVICES)];
-	wildness = wild[below(4)];
+	numbers_wild(wild[below(4)]);
 	target = board->target[below(TARGETS)];
 	alarm(FRAME_SECONDS);
 	accel_state_free(state);
@@ -455,7 +294,7 @@ static void frame(uint64_t seed)
 	left = one_in(8) ? below(40) : -1;
 	begin_at_last(board, target);
 	for (int calls = 1 + below(6); calls > 0; calls--) {
-		set_state();
+		fuzz_draw_state(state);
 		if (one_in(4))
 			clear(board);
 		draw_mesh(board);

@@ -5,7 +5,7 @@
 FUZZ_DRAW_FRAMES ?= 100000
 FUZZ_DRAW_SHORT  ?= 10000
 # Without boards, which take other libraries.
-FUZZ_DRAW_SOURCES := tests/fuzz/fuzz_draw.c $(MODEL_SOURCES) \
+FUZZ_DRAW_SOURCES := $(addprefix tests/fuzz/fuzz_draw,.c _numbers.c _state.c) $(MODEL_SOURCES) \
 	$(filter-out $(DRM_SOURCES) $(USB_SOURCES),$(ACCEL_SOURCES)) \
 	libaccel/transport/drm/none.c libaccel/transport/usb/none.c
 
