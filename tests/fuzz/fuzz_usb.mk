@@ -3,8 +3,8 @@
 ##@ Fuzzing
 
 ifneq ($(USB_LIBS),)
-FUZZ_USB_INSIDE := tests/fuzz/fuzz_usb.c $(USB_SOURCES) $(addprefix libaccel/transport/, transport.c \
-	job_table.c pool.c range.c thread.c)
+FUZZ_USB_INSIDE := tests/fuzz/fuzz_usb.c tests/fuzz/fuzz_usb_board.c $(USB_SOURCES) \
+	$(addprefix libaccel/transport/,transport.c job_table.c pool.c range.c thread.c)
 FUZZ_USB_WORLD := $(FAKE_USB_OBJS) $(MODEL_OBJS)
 FUZZ_USB_PROGRAMS := $(addprefix $(BUILD)/fuzz/, \
 	fuzz_usb fuzz_usb_corpus fuzz_usb_message fuzz_usb_message_corpus)
