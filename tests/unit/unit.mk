@@ -85,8 +85,8 @@ $(call unit,test_transport_usb_out_of_memory): private WRAPS := $(call wrap,$(FA
 	$(OUT_OF_MEMORY_WRAPS)
 $(call unit,test_errors): $(addprefix $(BUILD)/tests/unit/object/,errors_device.o errors_memory.o \
 	errors_draw.o errors_stream.o)
-$(call unit,test_usb_faults): $(addprefix $(BUILD)/tests/usb/,usb_trial.o usb_trial_job.o \
-	usb_trial_picture.o usb_trial_copy.o)
+$(call unit,test_usb_faults): $(addprefix $(BUILD)/tests/usb/,usb_fault.o usb_trial.o \
+	usb_trial_job.o usb_trial_picture.o usb_trial_copy.o)
 
 USB_FAULTS_SAMPLE ?= 40
 run-test_usb_faults: export USB_FAULTS ?= 250

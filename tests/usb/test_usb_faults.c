@@ -18,14 +18,14 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "fake_usb.h"
+#include "accel_test.h"
+#include "usb_fault.h"
 #include "usb_trial.h"
 
 #define RETRIES 3
 #define TOLD_NS 1500000000ll
 #define ENDS_NS 100000000000ll /* of the library's time: it may try again */
 #define DEPTH 4                /* transfers in flight, at least */
-#define CALL FAKE_USB_FAULTS   /* not the cable: a call answers an error */
 
 /* Outside; what takes long here takes a tenth of a second. */
 static unsigned int hang_seconds(void)
@@ -34,20 +34,6 @@ static unsigned int hang_seconds(void)
 
 	return slow && atoi(slow) > 0 ? 120 * (unsigned int)atoi(slow) : 120;
 }
-
-struct fault {
-	int kind; /* enum fake_usb_fault, or CALL */
-	uint64_t at;
-	uint32_t value;
-	int error;
-	bool early; /* armed before the board is opened */
-};
-
-/* Those of a case. */
-struct faults {
-	struct fault fault[2];
-	int count;
-};
 
 /* What became of the cases of one kind of fault. */
 struct count {
@@ -59,185 +45,10 @@ struct test {
 	const struct gloss_usb_board_ops *rtl; /* NULL: the model of the board */
 	uint64_t seed, number;
 	struct accel_device *model[2]; /* with tiles of 32 and 64 pixels */
-	struct count count[CALL + 1];
+	struct count count[USB_FAULT_CALL + 1];
 	unsigned int depth_out, depth_in; /* most transfers in flight */
 	char text[512];
 };
-
-static uint64_t next(uint64_t *seed)
-{
-	uint64_t z = *seed += 0x9e3779b97f4a7c15;
-
-	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-	z = (z ^ z >> 27) * 0x94d049bb133111eb;
-	return z ^ z >> 31;
-}
-
-static uint32_t below(uint64_t *seed, uint32_t limit)
-{
-	return (uint32_t)(next(seed) % limit);
-}
-
-/* 1 to 2^@bits, small ones as often as large ones. */
-static uint64_t any_size(uint64_t *seed, uint32_t bits)
-{
-	uint32_t most = below(seed, bits + 1);
-
-	return 1 + next(seed) % (1ull << most);
-}
-
-static const char *fault_name(int kind)
-{
-	return kind == CALL ? "error of a call" : fake_usb_fault_name((enum fake_usb_fault)kind);
-}
-
-/* ---- choosing a fault ---- */
-
-/* What @at counts: words, packets, or transfers and calls. */
-static uint32_t fault_bits(int kind)
-{
-	switch (kind) {
-	case FAKE_USB_GARBAGE_IN:
-	case FAKE_USB_GARBAGE_OUT:
-	case FAKE_USB_HANG_IN:
-		return 15;
-	case FAKE_USB_UNPLUG:
-	case FAKE_USB_KILL:
-	case FAKE_USB_GLITCH:
-	case FAKE_USB_BUS_RESET:
-	case FAKE_USB_HANG_OUT:
-		return 10;
-	case FAKE_USB_STALL_EVENT:
-	case FAKE_USB_RESET_LASTS:
-		return 0;
-	case FAKE_USB_STALL_OUT:
-	case FAKE_USB_ERROR_OUT:
-	case FAKE_USB_LOSE_OUT:
-		return 5;
-	default:
-		return 7;
-	}
-}
-
-static uint32_t fault_value(int kind, uint64_t *seed)
-{
-	switch (kind) {
-	case FAKE_USB_DELAY:
-		return (uint32_t)any_size(seed, 22);
-	case FAKE_USB_UNPLUG:
-		return below(seed, 3);
-	case FAKE_USB_RESET_LASTS:
-		return (uint32_t)any_size(seed, 20);
-	default:
-		return (uint32_t)any_size(seed, 5) - 1;
-	}
-}
-
-static struct fault fault_choose(uint64_t *seed)
-{
-	struct fault fault = { .kind = 1 + (int)below(seed, CALL) };
-
-	fault.at = any_size(seed, fault_bits(fault.kind));
-	fault.value = fault_value(fault.kind, seed);
-	fault.error = -1 - (int)below(seed, 12);
-	fault.early = below(seed, 4) == 0;
-	/* Most requests are made while a board is opened. */
-	if (fault.kind == FAKE_USB_RESET_LASTS ||
-	    ((fault.kind == FAKE_USB_REFUSE_CONTROL || fault.kind == FAKE_USB_HANG_CONTROL) &&
-	     below(seed, 4)))
-		fault.early = true;
-	return fault;
-}
-
-static void fault_arm(const struct fault *fault)
-{
-	if (fault->kind == CALL)
-		fake_usb_fail(NULL, (unsigned int)fault->at, fault->error);
-	else
-		fake_usb_arm(0, (enum fake_usb_fault)fault->kind, fault->at, fault->value);
-}
-
-/* The protocol has a place for it, so nothing may come of it. */
-static bool fault_harmless(const struct fault *fault)
-{
-	return fault->kind == FAKE_USB_SHORT_IN || fault->kind == FAKE_USB_EMPTY_IN ||
-	       (fault->kind == FAKE_USB_DELAY && fault->value < 500000) ||
-	       (fault->kind == FAKE_USB_RESET_LASTS && fault->value < 500);
-}
-
-/* The host is told, so that it need not wait until nothing has moved for long. */
-static bool fault_is_told(const struct fault *fault)
-{
-	switch (fault->kind) {
-	case FAKE_USB_UNPLUG:
-	case FAKE_USB_KILL:
-	case FAKE_USB_BUS_RESET:
-	case FAKE_USB_STALL_OUT:
-	case FAKE_USB_STALL_IN:
-	case FAKE_USB_ERROR_OUT:
-	case FAKE_USB_ERROR_IN:
-	case FAKE_USB_OVERFLOW_IN:
-		return true;
-	case FAKE_USB_RESET_LASTS:
-		return fault_harmless(fault);
-	case FAKE_USB_ODD_IN:
-		/* In search of the sync, words are dropped, as are those that are none. */
-		return !fault->early;
-	default:
-		return false;
-	}
-}
-
-static bool fault_ends_host(const struct fault *fault)
-{
-	return fault->kind == FAKE_USB_UNPLUG || fault->kind == FAKE_USB_KILL;
-}
-
-static bool fault_kills(const struct fault *fault)
-{
-	return fault->kind == FAKE_USB_KILL;
-}
-
-static bool fault_delays(const struct fault *fault)
-{
-	return fault->kind == FAKE_USB_DELAY;
-}
-
-/* Mostly one; a second one may come while the library gets over the first. */
-static struct faults faults_choose(uint64_t *seed)
-{
-	struct faults faults = { .fault[0] = fault_choose(seed), .count = 1 };
-
-	if (below(seed, 5) == 0)
-		faults.fault[faults.count++] = fault_choose(seed);
-	return faults;
-}
-
-static int faults_count(const struct faults *faults, bool (*is)(const struct fault *fault))
-{
-	int count = 0;
-
-	for (int n = 0; n < faults->count; n++)
-		count += is(&faults->fault[n]);
-	return count;
-}
-
-static bool faults_any(const struct faults *faults, bool (*is)(const struct fault *fault))
-{
-	return faults_count(faults, is);
-}
-
-static bool faults_all(const struct faults *faults, bool (*is)(const struct fault *fault))
-{
-	return faults_count(faults, is) == faults->count;
-}
-
-static void faults_arm(const struct faults *faults, bool early)
-{
-	for (int n = 0; n < faults->count; n++)
-		if (faults->fault[n].early == early)
-			fault_arm(&faults->fault[n]);
-}
 
 /* ---- a case ---- */
 
@@ -273,16 +84,16 @@ static int work(struct test *test, struct accel_device *device, uint64_t *seed)
 	struct accel_device_info info;
 	struct accel_device *model;
 	struct second second;
-	bool both = below(seed, 4) == 0;
+	bool both = test_below(seed, 4) == 0;
 	pthread_t thread;
 	int err;
 
 	accel_device_info(device, &info, sizeof(info));
 	model = test->model[info.tile_size == 64];
-	second = (struct second){ device, model, next(seed), 0 };
+	second = (struct second){ device, model, test_random(seed), 0 };
 	if (both && pthread_create(&thread, NULL, second_run, &second))
 		usb_trial_fail("no thread");
-	err = usb_trial_run(device, model, next(seed));
+	err = usb_trial_run(device, model, test_random(seed));
 	if (both)
 		pthread_join(thread, NULL);
 	if (!err && !second.err)
@@ -293,9 +104,9 @@ static int work(struct test *test, struct accel_device *device, uint64_t *seed)
 static void plug_in(const struct test *test, uint64_t *seed)
 {
 	struct fake_usb_board *board = &fake_usb.board[0];
-	bool small = below(seed, 4) == 0, fast = below(seed, 2);
+	bool small = test_below(seed, 4) == 0, fast = test_below(seed, 2);
 
-	fake_usb_start(next(seed));
+	fake_usb_start(test_random(seed));
 	fake_usb_unplug(0);
 	if (test->rtl)
 		board->ops = test->rtl;
@@ -357,34 +168,34 @@ static void check_next(struct test *test, uint64_t *seed)
 	accel_device_free(device);
 }
 
-static void check_result(const struct faults *faults, int err, int64_t waited_ns)
+static void check_result(const struct usb_faults *faults, int err, int64_t waited_ns)
 {
-	if (waited_ns > ENDS_NS && !faults_any(faults, fault_delays))
+	if (waited_ns > ENDS_NS && !usb_faults_any(faults, usb_fault_delays))
 		usb_trial_fail("it took %lld s to end", (long long)waited_ns / 1000000000);
-	if (waited_ns > TOLD_NS && faults_all(faults, fault_is_told))
+	if (waited_ns > TOLD_NS && usb_faults_all(faults, usb_fault_is_told))
 		usb_trial_fail("it took %lld ms to be noticed", (long long)waited_ns / 1000000);
 	if (err && !fake_usb_fired())
 		usb_trial_fail("%s, and there was no fault yet", strerror(-err));
-	if (err && err != -ENODEV && faults_all(faults, fault_ends_host))
+	if (err && err != -ENODEV && usb_faults_all(faults, usb_fault_ends_host))
 		usb_trial_fail("%s, and the board was gone", strerror(-err));
-	if (err && faults_all(faults, fault_harmless))
+	if (err && usb_faults_all(faults, usb_fault_harmless))
 		usb_trial_fail("%s, and there was nothing wrong", strerror(-err));
 }
 
-static void case_name(struct test *test, const struct faults *faults)
+static void case_name(struct test *test, const struct usb_faults *faults)
 {
 	size_t room = sizeof(test->text), length;
 
 	length = (size_t)snprintf(test->text, room, "case %llu (",
 				  (unsigned long long)test->number);
 	for (int n = 0; n < faults->count; n++) {
-		const struct fault *fault = &faults->fault[n];
+		const struct usb_fault *fault = &faults->fault[n];
 
 		length += (size_t)snprintf(test->text + length, room - length,
 					   "%s at %llu, value %u, error %d%s; ",
-					   fault_name(fault->kind), (unsigned long long)fault->at,
-					   fault->value, fault->error,
-					   fault->early ? ", early" : "");
+					   usb_fault_name(fault->kind),
+					   (unsigned long long)fault->at, fault->value,
+					   fault->error, fault->early ? ", early" : "");
 	}
 	snprintf(test->text + length, room - length,
 		 "GLOSS_SEED=%llu test_usb_faults -g %llu -n 1 repeats it)",
@@ -393,16 +204,16 @@ static void case_name(struct test *test, const struct faults *faults)
 }
 
 /* Returns what became of it; the device may be NULL then. */
-static int case_work(struct test *test, const struct faults *faults, uint64_t *seed,
+static int case_work(struct test *test, const struct usb_faults *faults, uint64_t *seed,
 		     struct accel_device **device)
 {
 	int64_t before = fake_usb_leapt_ns();
 	int err;
 
-	faults_arm(faults, true);
+	usb_faults_arm(faults, true);
 	err = open_device(test, device);
 	check_open_error(err);
-	faults_arm(faults, false);
+	usb_faults_arm(faults, false);
 	if (!err)
 		err = work(test, *device, seed);
 	check_result(faults, err, fake_usb_leapt_ns() - before);
@@ -418,7 +229,7 @@ static void case_next(struct test *test, bool dead, uint64_t *seed, struct accel
 	else
 		accel_device_free(device);
 	if (!fake_usb.board[0].present)
-		fake_usb_plug(0, below(seed, 2));
+		fake_usb_plug(0, test_below(seed, 2));
 	check_next(test, seed);
 	if (dead)
 		accel_device_free(device);
@@ -427,7 +238,7 @@ static void case_next(struct test *test, bool dead, uint64_t *seed, struct accel
 static void run_case(struct test *test)
 {
 	uint64_t seed = test->seed * 0x9e3779b97f4a7c15 + test->number * 0xd1342543de82ef95;
-	struct faults faults = faults_choose(&seed);
+	struct usb_faults faults = usb_faults_choose(&seed);
 	struct accel_device *device;
 	int err;
 
@@ -436,9 +247,9 @@ static void run_case(struct test *test)
 	plug_in(test, &seed);
 	err = case_work(test, &faults, &seed, &device);
 	fake_usb_disarm();
-	if (device && !faults_any(&faults, fault_ends_host) && err != -ENODEV)
+	if (device && !usb_faults_any(&faults, usb_fault_ends_host) && err != -ENODEV)
 		recover(test, device, &seed);
-	case_next(test, faults_any(&faults, fault_kills), &seed, device);
+	case_next(test, usb_faults_any(&faults, usb_fault_kills), &seed, device);
 	if (test->depth_out < fake_usb.depth_out)
 		test->depth_out = fake_usb.depth_out;
 	if (test->depth_in < fake_usb.depth_in)
@@ -476,10 +287,10 @@ static int report(const struct test *t)
 
 	printf("%-16s %6s %6s %6s %6s %6s %6s\n", "fault", "cases", "came", "fine", "EIO", "ENODEV",
 	       "other");
-	for (int kind = 1; kind <= CALL; kind++) {
+	for (int kind = 1; kind <= USB_FAULT_CALL; kind++) {
 		const struct count *c = &t->count[kind];
 
-		printf("%-16s %6u %6u %6u %6u %6u %6u\n", fault_name(kind), c->cases, c->fired,
+		printf("%-16s %6u %6u %6u %6u %6u %6u\n", usb_fault_name(kind), c->cases, c->fired,
 		       c->right, c->io, c->gone, c->other);
 		cases += c->cases;
 		fired += c->fired;
