@@ -73,7 +73,7 @@ endif
 ifneq ($(USB_LIBS),)
 USB_UNIT_TESTS := test_transport_usb $(addprefix test_transport_usb_, open open_errors list \
 	recovery time memory wait kernel clocks out_of_memory) test_process test_errors test_detached
-USB_TESTS := test_fake_usb test_usb_errors test_usb_faults
+USB_TESTS := test_fake_usb test_fake_usb_faults test_usb_errors test_usb_faults
 ACCEL_UNIT_TESTS += test_usb_message test_usb_message_garbled test_usb_zero $(USB_UNIT_TESTS) \
 	$(USB_TESTS)
 
