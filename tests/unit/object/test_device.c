@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <pthread.h>
 
-#include "accel_test.h"
+#include "list_test.h"
 #include "share_test.h"
 
 static void the_model_says_what_it_is(void **state)
@@ -87,24 +87,9 @@ static void the_model_counts_no_clocks(void **state)
 	accel_device_free(device);
 }
 
-struct listed {
-	char text[1024];
-	int count;
-};
-
-static void list_take(void *data, const char *name, const char *line)
-{
-	struct listed *listed = data;
-	size_t length = strlen(listed->text);
-
-	assert_true(*name && *line);
-	snprintf(listed->text + length, sizeof(listed->text) - length, "%s|%s\n", name, line);
-	listed->count++;
-}
-
 static void model_and_simulator_are_in_the_list(void **state)
 {
-	struct listed listed = { "", 0 };
+	struct listed listed = { .kind = "" };
 
 	(void)state;
 	assert_int_equal(accel_device_list(list_take, &listed), 0);

@@ -6,6 +6,7 @@
 
 #include "accel_test.h"
 #include "fake_gloss.h"
+#include "list_test.h"
 
 static struct messages messages;
 
@@ -272,25 +273,9 @@ static void auto_says_why_a_board_that_is_there_is_not_taken(void **state)
 	accel_device_free(device);
 }
 
-struct listed {
-	char text[1024];
-	int count;
-};
-
-static void list_take(void *data, const char *name, const char *line)
-{
-	struct listed *listed = data;
-	size_t length = strlen(listed->text);
-
-	if (strncmp(name, "drm:", 4) != 0)
-		return;
-	snprintf(listed->text + length, sizeof(listed->text) - length, "%s|%s\n", name, line);
-	listed->count++;
-}
-
 static void every_board_is_listed_with_what_it_is_or_why_not(void **state)
 {
-	struct listed listed = { "", 0 };
+	struct listed listed = { .kind = "drm:" };
 
 	(void)state;
 	add_node(1, "i915");

@@ -1,26 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The list of the boards on USB. */
+#include "list_test.h"
 #include "usb_open_test.h"
-
-struct listed {
-	char text[1024];
-	int count;
-};
-
-static void list_take(void *data, const char *name, const char *line)
-{
-	struct listed *listed = data;
-	size_t length = strlen(listed->text);
-
-	if (strncmp(name, "usb:", 4) != 0)
-		return;
-	snprintf(listed->text + length, sizeof(listed->text) - length, "%s|%s\n", name, line);
-	listed->count++;
-}
 
 static void every_board_is_listed_with_what_it_is_or_why_not(void **state)
 {
-	struct listed listed = { "", 0 };
+	struct listed listed = { .kind = "usb:" };
 	char *second;
 
 	(void)state;
@@ -42,7 +27,7 @@ static void every_board_is_listed_with_what_it_is_or_why_not(void **state)
 
 static void boards_of_one_number_are_listed_by_their_ports(void **state)
 {
-	struct listed listed = { "", 0 };
+	struct listed listed = { .kind = "usb:" };
 
 	(void)state;
 	plug_boards(3);
@@ -57,7 +42,7 @@ static void boards_of_one_number_are_listed_by_their_ports(void **state)
 
 static void a_list_of_no_board_is_empty(void **state)
 {
-	struct listed listed = { "", 0 };
+	struct listed listed = { .kind = "usb:" };
 
 	(void)state;
 	fake_usb_unplug(0);
@@ -76,7 +61,7 @@ static void a_list_of_no_board_is_empty(void **state)
 /* No serial number writes to a terminal but letters, and it is still a name. */
 static void a_name_that_is_no_text_is_made_one(void **state)
 {
-	struct listed listed = { "", 0 };
+	struct listed listed = { .kind = "usb:" };
 
 	(void)state;
 	fake_usb.board[0].serial = "\033[2J\nA";
