@@ -27,21 +27,27 @@ enum vboard_exit vboard_usage_error(const char *what, const char *why)
 
 /* ---- a board ---- */
 
+#define OPTIONS_COMMON 4 /* that every board has */
+
 enum vboard_exit vboard_options_board(struct vboard_options_board *board, const char *text,
-				      const struct accel_option *own)
+				      const struct vboard_option *own)
 {
-	uint64_t fd = UINT64_MAX, tile = 64, lanes = 8;
-	struct accel_option list[VBOARD_OPTIONS] = {
+	uint64_t fd = UINT64_MAX, tile = 64, lanes = 8, number[VBOARD_OPTIONS];
+	struct accel_option list[OPTIONS_COMMON + VBOARD_OPTIONS + 1] = {
 		{ "fd", 0, INT32_MAX, 1, &fd },
 		{ "memory", GLOSS_PAGE_BYTES, ENGINE_MEMORY_MAX, GLOSS_PAGE_BYTES, &board->memory },
 		{ "tile", 32, 64, 0, &tile },
 		{ "lanes", 1, 8, 0, &lanes },
 	};
 	struct accel_transport_error error = { "" };
-	size_t count = 4;
+	size_t owned;
 
-	while (own->name && count < VBOARD_OPTIONS - 1)
-		list[count++] = *own++;
+	for (owned = 0; own[owned].name && owned < VBOARD_OPTIONS; owned++) {
+		number[owned] = *own[owned].value;
+		list[OPTIONS_COMMON + owned] = (struct accel_option){
+			own[owned].name, 0, own[owned].max, 1, &number[owned],
+		};
+	}
 	board->memory = ENGINE_MEMORY_DEFAULT;
 	if (accel_option_parse(text, list, &error))
 		return vboard_usage_error(board->text, error.text);
@@ -50,6 +56,8 @@ enum vboard_exit vboard_options_board(struct vboard_options_board *board, const 
 	board->socket = (int)fd;
 	board->tile = (uint32_t)tile;
 	board->lanes = (uint32_t)lanes;
+	for (size_t i = 0; i < owned; i++)
+		*own[i].value = (uint32_t)number[i];
 	return VBOARD_OK;
 }
 

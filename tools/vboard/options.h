@@ -11,9 +11,14 @@
 #include "vboard/usb/faults.h"
 
 #define VBOARD_BOARDS 8
-#define VBOARD_OPTIONS 24 /* of a board, at most */
+#define VBOARD_OPTIONS 16 /* of a board that only one program takes, at most */
 
-struct accel_option;
+/* One of these: a number from 0 to @max. */
+struct vboard_option {
+	const char *name;
+	uint32_t max;
+	uint32_t *value; /* keeps its default if the option is not given */
+};
 
 enum vboard_exit { VBOARD_OK, VBOARD_FAILED, VBOARD_USAGE };
 
@@ -58,7 +63,7 @@ enum vboard_exit vboard_options_parse(struct vboard_options *options,
 				      const struct vboard_program *program, int argc, char **argv);
 /* For ->parse: the options that every board has, and those of @own, which ends without a name. */
 enum vboard_exit vboard_options_board(struct vboard_options_board *board, const char *text,
-				      const struct accel_option *own);
+				      const struct vboard_option *own);
 enum vboard_exit vboard_usage_error(const char *what, const char *why);
 
 /* "PROGRAM: what: why" on standard error. */

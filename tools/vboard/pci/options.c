@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /* What vboard-pci takes. */
-#include "transport/option.h"
 #include "vboard/options.h"
 #include "vboard/pci/vboard.h"
 
@@ -29,30 +28,20 @@ static const char usage[] =
 
 static enum vboard_exit parse_pci(struct vboard_options_board *board, const char *text)
 {
-	uint64_t slot = VBOARD_NO_SLOT, delay_writes = 0, lose_interrupts = 0, hang = 0;
-	uint64_t refuse_dma = 0, die = 0, slow = 0;
-	const struct accel_option list[] = {
-		{ "slot", 0, VBOARD_SLOT_MAX, 1, &slot },
-		{ "delay-writes", 0, UINT32_MAX, 1, &delay_writes },
-		{ "lose-interrupts", 0, UINT32_MAX, 1, &lose_interrupts },
-		{ "hang", 0, UINT32_MAX, 1, &hang },
-		{ "refuse-dma", 0, UINT32_MAX, 1, &refuse_dma },
-		{ "die", 0, UINT32_MAX, 1, &die },
-		{ "slow", 0, UINT32_MAX, 1, &slow },
-		{ NULL, 0, 0, 0, NULL },
+	struct vboard_faults_armed *armed = &board->pci.armed;
+	const struct vboard_option list[] = {
+		{ "slot", VBOARD_SLOT_MAX, &board->pci.slot },
+		{ "delay-writes", UINT32_MAX, &armed->delay_writes },
+		{ "lose-interrupts", UINT32_MAX, &armed->lose_interrupts },
+		{ "hang", UINT32_MAX, &armed->hang },
+		{ "refuse-dma", UINT32_MAX, &armed->refuse_dma },
+		{ "die", UINT32_MAX, &armed->die },
+		{ "slow", UINT32_MAX, &armed->slow },
+		{ NULL, 0, NULL },
 	};
-	enum vboard_exit ret = vboard_options_board(board, text, list);
 
-	board->pci.slot = (uint32_t)slot;
-	board->pci.armed = (struct vboard_faults_armed){
-		.delay_writes = (uint32_t)delay_writes,
-		.lose_interrupts = (uint32_t)lose_interrupts,
-		.hang = (uint32_t)hang,
-		.refuse_dma = (uint32_t)refuse_dma,
-		.die = (uint32_t)die,
-		.slow = (uint32_t)slow,
-	};
-	return ret;
+	board->pci.slot = VBOARD_NO_SLOT;
+	return vboard_options_board(board, text, list);
 }
 
 const struct vboard_program vboard_program_pci = {

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "transport/option.h"
 #include "vboard/options.h"
 
 #define OPTIONS_TEXT_MAX 1024 /* characters of a board's options */
@@ -136,40 +135,24 @@ static enum vboard_exit parse_texts(struct vboard_options_board *board, const ch
 
 static enum vboard_exit parse_numbers(struct vboard_options_board *board, const char *text)
 {
-	uint64_t unplug = 0, replug = 0, stall_out = 0, stall_in = 0, short_in = 0, empty_in = 0;
-	uint64_t delay = 0, garbage = 0, hang = 0, lose_out = 0, leave = 0, refuse_control = 0;
-	const struct accel_option list[] = {
-		{ "unplug", 0, UINT32_MAX, 1, &unplug },
-		{ "replug", 0, UINT32_MAX, 1, &replug },
-		{ "stall-out", 0, UINT32_MAX, 1, &stall_out },
-		{ "stall-in", 0, UINT32_MAX, 1, &stall_in },
-		{ "short-in", 0, UINT32_MAX, 1, &short_in },
-		{ "empty-in", 0, UINT32_MAX, 1, &empty_in },
-		{ "delay", 0, UINT32_MAX, 1, &delay },
-		{ "garbage", 0, UINT32_MAX, 1, &garbage },
-		{ "hang", 0, UINT32_MAX, 1, &hang },
-		{ "lose-out", 0, UINT32_MAX, 1, &lose_out },
-		{ "exit", 0, UINT32_MAX, 1, &leave },
-		{ "refuse-control", 0, UINT32_MAX, 1, &refuse_control },
-		{ NULL, 0, 0, 0, NULL },
+	struct vboard_usb_faults_armed *armed = &board->usb.armed;
+	const struct vboard_option list[] = {
+		{ "unplug", UINT32_MAX, &armed->unplug },
+		{ "replug", UINT32_MAX, &armed->replug },
+		{ "stall-out", UINT32_MAX, &armed->stall_out },
+		{ "stall-in", UINT32_MAX, &armed->stall_in },
+		{ "short-in", UINT32_MAX, &armed->short_in },
+		{ "empty-in", UINT32_MAX, &armed->empty_in },
+		{ "delay", UINT32_MAX, &armed->delay },
+		{ "garbage", UINT32_MAX, &armed->garbage },
+		{ "hang", UINT32_MAX, &armed->hang },
+		{ "lose-out", UINT32_MAX, &armed->lose_out },
+		{ "exit", UINT32_MAX, &armed->exit },
+		{ "refuse-control", UINT32_MAX, &armed->refuse_control },
+		{ NULL, 0, NULL },
 	};
-	enum vboard_exit ret = vboard_options_board(board, text, list);
 
-	board->usb.armed = (struct vboard_usb_faults_armed){
-		.unplug = (uint32_t)unplug,
-		.replug = (uint32_t)replug,
-		.stall_out = (uint32_t)stall_out,
-		.stall_in = (uint32_t)stall_in,
-		.short_in = (uint32_t)short_in,
-		.empty_in = (uint32_t)empty_in,
-		.delay = (uint32_t)delay,
-		.garbage = (uint32_t)garbage,
-		.hang = (uint32_t)hang,
-		.lose_out = (uint32_t)lose_out,
-		.exit = (uint32_t)leave,
-		.refuse_control = (uint32_t)refuse_control,
-	};
-	return ret;
+	return vboard_options_board(board, text, list);
 }
 
 static enum vboard_exit parse_usb(struct vboard_options_board *board, const char *text)
