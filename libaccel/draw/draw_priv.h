@@ -276,6 +276,8 @@ void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t
 			     struct accel_edge *edge);
 /* The middle of a triangle on the screen, not sampled. */
 void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
+/* The colour there of the second-order surface through what vertices and edges were sampled to. */
+void accel_shading_surface_centre(const struct accel_patch *patch, float colour[3]);
 /* Must the triangle be split although none of its edges is? */
 bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side);
 

@@ -94,13 +94,7 @@ bool accel_interpolate_inside(const struct accel_patch *patch)
 	accel_shading_centre(patch, &middle);
 	for (int i = 0; i < 3; i++)
 		alpha += patch->vertex[i]->sample.colour[3] / 3;
-	for (int i = 0; i < 3; i++)
-		curve[i] = (4 * (patch->edge[0]->colour[i] + patch->edge[1]->colour[i] +
-				 patch->edge[2]->colour[i]) -
-			    (patch->vertex[0]->sample.colour[i] +
-			     patch->vertex[1]->sample.colour[i] +
-			     patch->vertex[2]->sample.colour[i])) /
-			   9;
+	accel_shading_surface_centre(patch, curve);
 	return interpolate_difference(curve, middle.sample.colour, 3) > CURVE ||
 	       fabsf(alpha - middle.sample.colour[3]) > STRAIGHT;
 }

@@ -385,6 +385,17 @@ void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *
 	}
 }
 
+void accel_shading_surface_centre(const struct accel_patch *patch, float colour[3])
+{
+	for (int i = 0; i < 3; i++)
+		colour[i] = (4 * (patch->edge[0]->colour[i] + patch->edge[1]->colour[i] +
+				  patch->edge[2]->colour[i]) -
+			     (patch->vertex[0]->sample.colour[i] +
+			      patch->vertex[1]->sample.colour[i] +
+			      patch->vertex[2]->sample.colour[i])) /
+			    9;
+}
+
 bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side)
 {
 	const struct accel_finish *finish = &pass->lighting.finish[side];
@@ -403,12 +414,6 @@ bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
 	    shading_highlight_near(finish, middle.sample.shine, spread * 4 / 9))
 		return true;
-	for (int i = 0; i < 3; i++)
-		curve[i] = (4 * (patch->edge[0]->colour[i] + patch->edge[1]->colour[i] +
-				 patch->edge[2]->colour[i]) -
-			    (patch->vertex[0]->sample.colour[i] +
-			     patch->vertex[1]->sample.colour[i] +
-			     patch->vertex[2]->sample.colour[i])) /
-			   9;
+	accel_shading_surface_centre(patch, curve);
 	return shading_deviation(curve, middle.sample.colour) > CURVE;
 }
