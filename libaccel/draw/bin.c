@@ -165,11 +165,13 @@ static int bin_tile_state(struct accel_bin *bin, struct accel_tile *tile,
 static void bin_tile_uses(struct accel_tile *tile, const struct accel_tile_state *state)
 {
 	struct gloss_depth_state depth;
+	struct gloss_colour_mask mask;
 
 	gloss_depth_state_unpack(&state->depth_state, &depth);
+	gloss_colour_mask_unpack(&state->colour_mask, &mask);
 	tile->uses_depth |= depth.func != GLOSS_COMPARE_ALWAYS || depth.write;
 	tile->writes_depth |= depth.write;
-	tile->uses_colour |= state->colour_mask != (uint32_t)GLOSS_OP_COLOUR_MASK << 24;
+	tile->uses_colour |= mask.red || mask.green || mask.blue || mask.alpha;
 }
 
 uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)

@@ -29,6 +29,8 @@ struct transport_sim {
 /* What a packet at most takes at one pixel and one word a clock. */
 static uint64_t sim_packet_clocks(const uint32_t *packet, uint64_t words, uint64_t tile)
 {
+	struct gloss_read_memory read;
+
 	switch (gloss_header_opcode(packet[0])) {
 	case GLOSS_OP_TILE_BEGIN:
 	case GLOSS_OP_TILE_END:
@@ -36,7 +38,10 @@ static uint64_t sim_packet_clocks(const uint32_t *packet, uint64_t words, uint64
 	case GLOSS_OP_TRIANGLE:
 		return tile * tile;
 	case GLOSS_OP_READ_MEMORY:
-		return words > 1 ? packet[1] >> 16 : 0;
+		if (words <= GLOSS_READ_MEMORY_WORDS)
+			return 0;
+		gloss_read_memory_unpack(packet, &read);
+		return read.count;
 	default:
 		return 0;
 	}

@@ -201,6 +201,22 @@ static void check_surface(const struct decode *decode, struct decode_packet *pac
 		fail(packet, GLOSS_FAULT_ORDER, word, "no %s_surface was set", name);
 }
 
+static void check_colour_pitch(const struct decode *decode, struct decode_packet *packet)
+{
+	struct gloss_colour_surface p;
+
+	gloss_colour_surface_unpack(packet->words, &p);
+	check_aligned(packet, 1, "pitch", p.pitch, row_bytes(decode));
+}
+
+static void check_depth_pitch(const struct decode *decode, struct decode_packet *packet)
+{
+	struct gloss_depth_surface p;
+
+	gloss_depth_surface_unpack(packet->words, &p);
+	check_aligned(packet, 1, "pitch", p.pitch, row_bytes(decode));
+}
+
 static void check_tile_begin(const struct decode *decode, struct decode_packet *packet,
 			     unsigned int word)
 {
@@ -271,8 +287,10 @@ static void check_by_hand(const struct decode *decode, struct decode_packet *pac
 			check_aligned(packet, word, "offset", packet->words[word], 4);
 		break;
 	case GLOSS_OP_COLOUR_SURFACE:
+		check_colour_pitch(decode, packet);
+		break;
 	case GLOSS_OP_DEPTH_SURFACE:
-		check_aligned(packet, word, "pitch", packet->words[word] >> 16, row_bytes(decode));
+		check_depth_pitch(decode, packet);
 		break;
 	case GLOSS_OP_TILE_BEGIN:
 		check_tile_begin(decode, packet, word);
