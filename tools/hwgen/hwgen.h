@@ -2,7 +2,8 @@
 /*
  * hwgen: from rtl/gloss.xml to everything that has to agree with it.
  *
- *   read.c           XML to the structs below; attributes, numbers, nesting
+ *   read.c           goes through the XML: nesting, attributes, text
+ *   elements.c       each element to the structs below; numbers
  *   check.c          what a grammar can not say: references, overlaps, ranges
  *   names.c          every identifier that will be written: keywords, clashes
  *   words.c          the keywords
