@@ -24,6 +24,8 @@
 #include <linux/sizes.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 /* How much one job clears, and the stream that does it with the smallest tiles. */
 #define GLOSS_CLEAR_JOB_BYTES		SZ_1M
@@ -51,7 +53,7 @@ struct gloss_clear_shared {
 
 static u32 gloss_clear_job_tiles(const struct gloss_device *gdev)
 {
-	return GLOSS_CLEAR_JOB_BYTES / gloss_clear_tile_bytes(gdev);
+	return GLOSS_CLEAR_JOB_BYTES / gloss_device_tile_bytes(gdev);
 }
 
 static u32 gloss_clear_header(u32 opcode, u32 length)
@@ -87,7 +89,7 @@ static void gloss_clear_put_stream(struct gloss_device *gdev, __le32 *to)
 			     FIELD_PREP(GLOSS_COLOUR_SURFACE_SLOT, 0) |
 			     FIELD_PREP(GLOSS_COLOUR_SURFACE_PITCH, pitch));
 	for (tile = 0; tile < gloss_clear_job_tiles(gdev); tile++)
-		to = gloss_clear_put_tile(to, tile * gloss_clear_tile_bytes(gdev));
+		to = gloss_clear_put_tile(to, tile * gloss_device_tile_bytes(gdev));
 }
 
 static void gloss_clear_fini(struct drm_device *drm, void *data)
@@ -170,7 +172,7 @@ static int gloss_clear_tiles(struct gloss_board_object *board, u64 offset, u32 t
 	job->stream_list = gdev->clear.list_address;
 	job->slot[0] = (struct gloss_job_slot) {
 		.base = board->node.start + offset,
-		.size = tiles * gloss_clear_tile_bytes(gdev),
+		.size = tiles * gloss_device_tile_bytes(gdev),
 		.rights = DRM_GLOSS_SLOT_WRITE,
 	};
 	ret = gloss_clear_push(job);
@@ -256,7 +258,7 @@ static int gloss_clear_queue(struct gloss_board_object *board, struct gloss_file
 			     u32 priority)
 {
 	const struct gloss_device *gdev = to_gloss_device(board->base.dev);
-	u32 tile_bytes = gloss_clear_tile_bytes(gdev);
+	u32 tile_bytes = gloss_device_tile_bytes(gdev);
 	u64 left = board->node.size / tile_bytes;
 	u64 offset = 0;
 	int ret = 0;

@@ -13,6 +13,8 @@
 #include <drm/drm_managed.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 static u64 gloss_clocks_read_total(struct gloss_device *gdev)
 {

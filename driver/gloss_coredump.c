@@ -20,6 +20,8 @@
 #include <linux/vmalloc.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 /* Of the stream, 256 Ki words. */
 #define GLOSS_COREDUMP_PAGES		256

@@ -8,6 +8,8 @@
 #include <linux/seq_file.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 static struct gloss_device *gloss_debugfs_device(struct seq_file *m)
 {

@@ -15,6 +15,8 @@
 #include <linux/pm.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 /* No ids are assigned to Gloss; boards use the FPGA's vendor and a subsystem of their own. */
 #define GLOSS_PCI_DEVICE	0x474c

@@ -13,6 +13,7 @@
 #include <linux/seq_file.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 struct gloss_fdinfo_region {
 	u64 total, shared, resident, active;

@@ -10,6 +10,7 @@
 #include <linux/slab.h>
 
 #include "gloss_drv.h"
+#include "gloss_job.h"
 
 static void gloss_fence_free_rcu(struct rcu_head *rcu)
 {

@@ -8,6 +8,7 @@
 #include <linux/slab.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 static const enum drm_sched_priority gloss_file_priority[GLOSS_PRIORITIES] = {
 	[DRM_GLOSS_PRIORITY_NORMAL] = DRM_SCHED_PRIORITY_NORMAL,

@@ -8,6 +8,7 @@
 #include <drm/drm_vma_manager.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 static u64 gloss_gem_size_max(struct gloss_device *gdev, u32 kind)
 {

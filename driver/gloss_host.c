@@ -29,6 +29,7 @@
 #include <linux/slab.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 #define GLOSS_PAGES_PER_PAGE	(PAGE_SIZE / GLOSS_PAGE_BYTES)
 

@@ -14,6 +14,8 @@
 #include <linux/slab.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 #include "gloss_trace.h"
 
 static int gloss_job_init(struct gloss_device *gdev, struct gloss_job *job,

@@ -10,6 +10,8 @@
 #include <kunit/test.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 #define GLOSS_KUNIT_JOBS	64
 

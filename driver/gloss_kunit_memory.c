@@ -13,7 +13,7 @@ static int memory_test_init(struct kunit *test)
 	KUNIT_ASSERT_NOT_NULL(test, gdev);
 	gdev->tile_size = 64;
 	gdev->memory.size = MEMORY_SIZE;
-	gdev->memory.granule = gloss_clear_tile_bytes(gdev);
+	gdev->memory.granule = gloss_device_tile_bytes(gdev);
 	mutex_init(&gdev->memory.lock);
 	mutex_init(&gdev->clear.queue_lock);
 	gdev->memory.share.total = MEMORY_SIZE;
@@ -53,7 +53,7 @@ static struct gloss_board_object *memory_board(struct kunit *test, u64 size)
 static void memory_objects_share_no_tile(struct kunit *test)
 {
 	struct gloss_device *gdev = test->priv;
-	u32 tile = gloss_clear_tile_bytes(gdev);
+	u32 tile = gloss_device_tile_bytes(gdev);
 	unsigned int i;
 
 	for (i = 1; i < 20; i++) {
@@ -80,7 +80,7 @@ static void memory_clear_covers_every_byte_once(struct kunit *test)
 {
 	struct gloss_device *gdev = test->priv;
 	u64 sizes[] = { 1, GLOSS_CLEAR_JOB_BYTES,
-			GLOSS_CLEAR_JOB_BYTES + gloss_clear_tile_bytes(gdev) };
+			GLOSS_CLEAR_JOB_BYTES + gloss_device_tile_bytes(gdev) };
 	unsigned int i, j;
 
 	for (i = 0; i < ARRAY_SIZE(sizes); i++) {

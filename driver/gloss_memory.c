@@ -9,6 +9,7 @@
 #include <linux/slab.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 static void gloss_memory_fini(struct drm_device *drm, void *data)
 {
@@ -21,7 +22,7 @@ int gloss_memory_init(struct gloss_device *gdev)
 	int ret;
 
 	/* Whole pages for slots, and whole tiles to be cleared by. */
-	memory->granule = max_t(u32, GLOSS_PAGE_BYTES, gloss_clear_tile_bytes(gdev));
+	memory->granule = max_t(u32, GLOSS_PAGE_BYTES, gloss_device_tile_bytes(gdev));
 	ret = drmm_mutex_init(&gdev->drm, &memory->lock);
 	if (ret)
 		return ret;

@@ -23,6 +23,7 @@
 #include <linux/swap.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 static unsigned int gloss_pin_percent = 50;
 module_param_named(pin_percent, gloss_pin_percent, uint, 0444);

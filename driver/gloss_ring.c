@@ -15,6 +15,8 @@
 #include <linux/dma-mapping.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 #include "gloss_trace.h"
 
 int gloss_ring_init(struct gloss_device *gdev)

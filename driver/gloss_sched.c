@@ -26,6 +26,11 @@
 #include <linux/workqueue.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
+
+/* How long after the end of its job an interrupt may come. */
+#define GLOSS_INTERRUPT_MS	100
 
 /* Zero would be no time at all for a job. */
 static unsigned int gloss_sched_timeout_ms(void)

@@ -15,6 +15,7 @@
 #include <linux/spinlock.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
 
 static unsigned int gloss_share_percent = 85;
 module_param_named(share_percent, gloss_share_percent, uint, 0644);

@@ -10,6 +10,8 @@
 #include <linux/uaccess.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 static int gloss_submit_check_counts(struct drm_device *drm, const struct drm_gloss_submit *args)
 {

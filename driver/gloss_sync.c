@@ -10,6 +10,7 @@
 #include <linux/uaccess.h>
 
 #include "gloss_drv.h"
+#include "gloss_job.h"
 
 /* Copies the sync at @index of an array of the program's, and checks it. */
 static int gloss_sync_copy(struct drm_file *file, u64 array, unsigned int index,

@@ -13,6 +13,8 @@
 #include <linux/tracepoint.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 DECLARE_EVENT_CLASS(gloss_job,
 	TP_PROTO(const struct gloss_job *job),

@@ -15,6 +15,8 @@
 #include <linux/dma-fence.h>
 
 #include "gloss_drv.h"
+#include "gloss_file.h"
+#include "gloss_job.h"
 
 static const enum gloss_rank gloss_turn_rank[GLOSS_PRIORITIES] = {
 	[DRM_GLOSS_PRIORITY_HIGH] = GLOSS_RANK_HIGH,
