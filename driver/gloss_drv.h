@@ -8,6 +8,7 @@
  *   gloss_device  a board: registers, reset, its going away
  *   gloss_file    an open file
  *   gloss_gem     objects: the ioctls; gloss_host and gloss_memory, the two kinds
+ *   gloss_list    bus addresses of a host object's pages
  *   gloss_pages   pages of host objects; gloss_share, how much one file may hold
  *   gloss_clear   jobs that empty board memory
  *   gloss_submit  the ioctl that makes a job; gloss_sync, what it waits for and signals

@@ -130,6 +130,11 @@ static inline struct gloss_board_object *to_gloss_board(struct drm_gem_object *o
 	return container_of(object, struct gloss_board_object, base);
 }
 
+static inline bool gloss_host_imported(const struct gloss_host_object *host)
+{
+	return host->attach;
+}
+
 /* gloss_gem.c */
 int gloss_gem_create_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
 int gloss_gem_mmap_offset_ioctl(struct drm_device *drm, void *data, struct drm_file *file);
@@ -153,6 +158,10 @@ static inline void gloss_gem_end_use(struct drm_gem_object *object)
 		gloss_host_end_use(to_gloss_host(object));
 	drm_gem_object_put(object);
 }
+
+/* gloss_list.c */
+int gloss_list_make(struct gloss_host_object *host);
+void gloss_list_unmake(struct gloss_host_object *host);
 
 /* gloss_pages.c */
 int gloss_pages_init(struct gloss_device *gdev);

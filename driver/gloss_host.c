@@ -3,9 +3,10 @@
  * DOC: Host objects
  *
  * Pages of shared memory, or those of a dma-buf. The board finds them through a list of
- * bus addresses, one for 4096 bytes. Pages are pinned and mapped, and the list is made,
- * when an object is first used in a job; that lasts until the object goes, or until memory
- * is short while no job uses it, so that jobs after the first allocate nothing for it.
+ * bus addresses, one for 4096 bytes (gloss_list.c). Pages are pinned and mapped, and the
+ * list is made, when an object is first used in a job; that lasts until the object goes,
+ * or until memory is short while no job uses it, so that jobs after the first allocate
+ * nothing for it.
  *
  * All of that is done under the object's own lock: whoever submits waits for nobody else's
  * pages.
@@ -30,130 +31,6 @@
 
 #include "gloss_drv.h"
 #include "gloss_file.h"
-
-#define GLOSS_PAGES_PER_PAGE	(PAGE_SIZE / GLOSS_PAGE_BYTES)
-
-static unsigned int gloss_host_entries(const struct gloss_host_object *host)
-{
-	return host->base.base.size / GLOSS_PAGE_BYTES;
-}
-
-static struct device *gloss_host_device(const struct gloss_host_object *host)
-{
-	return host->base.base.dev->dev;
-}
-
-/* Unmaps the pages of the first @entries of the list. */
-static void gloss_host_unmap_pages(struct gloss_host_object *host, unsigned int entries)
-{
-	unsigned int i;
-
-	for (i = 0; i < entries; i += GLOSS_PAGES_PER_PAGE)
-		dma_unmap_page(gloss_host_device(host), le64_to_cpu(host->list[i]), PAGE_SIZE,
-			       DMA_BIDIRECTIONAL);
-}
-
-static int gloss_host_check(const struct gloss_host_object *host, dma_addr_t address)
-{
-	if (dma_need_sync(gloss_host_device(host), address)) {
-		drm_dbg(host->base.base.dev, "this machine's DMA is not coherent\n");
-		return -EOPNOTSUPP;
-	}
-	return 0;
-}
-
-static int gloss_host_map_pages(struct gloss_host_object *host)
-{
-	struct device *dev = gloss_host_device(host);
-	unsigned int entries = gloss_host_entries(host);
-	unsigned int i, j;
-	int ret;
-
-	for (i = 0; i < entries; i += GLOSS_PAGES_PER_PAGE) {
-		dma_addr_t address = dma_map_page(dev, host->pages[i / GLOSS_PAGES_PER_PAGE],
-						  0, PAGE_SIZE, DMA_BIDIRECTIONAL);
-
-		ret = -ENOMEM;
-		if (dma_mapping_error(dev, address))
-			goto unmap;
-		for (j = 0; j < GLOSS_PAGES_PER_PAGE; j++)
-			host->list[i + j] = cpu_to_le64(address + j * GLOSS_PAGE_BYTES);
-		ret = gloss_host_check(host, address);
-		if (ret) {
-			i += GLOSS_PAGES_PER_PAGE;
-			goto unmap;
-		}
-	}
-	return 0;
-
-unmap:
-	gloss_host_unmap_pages(host, i);
-	return ret;
-}
-
-/* The pages of an imported object are mapped already. */
-static int gloss_host_list_pages(struct gloss_host_object *host)
-{
-	unsigned int entries = gloss_host_entries(host);
-	unsigned int i, entry = 0;
-	struct scatterlist *sg;
-	u64 offset;
-	int ret;
-
-	for_each_sgtable_dma_sg(host->base.sgt, sg, i) {
-		if (!IS_ALIGNED(sg_dma_address(sg) | sg_dma_len(sg), GLOSS_PAGE_BYTES)) {
-			drm_dbg(host->base.base.dev, "a dma-buf in pieces of less than a page\n");
-			return -EINVAL;
-		}
-		ret = gloss_host_check(host, sg_dma_address(sg));
-		if (ret)
-			return ret;
-		for (offset = 0; offset < sg_dma_len(sg) && entry < entries;
-		     offset += GLOSS_PAGE_BYTES)
-			host->list[entry++] = cpu_to_le64(sg_dma_address(sg) + offset);
-	}
-	return entry == entries ? 0 : -EINVAL;
-}
-
-static size_t gloss_host_list_bytes(const struct gloss_host_object *host)
-{
-	return gloss_host_entries(host) * sizeof(*host->list);
-}
-
-/* The board reads the list as one array, so it can not be in pieces. */
-static int gloss_host_new_list(struct gloss_host_object *host)
-{
-	host->list = dma_alloc_coherent(gloss_host_device(host), gloss_host_list_bytes(host),
-					&host->list_address,
-					GFP_KERNEL_ACCOUNT | __GFP_RETRY_MAYFAIL | __GFP_NOWARN);
-	return host->list ? 0 : -ENOMEM;
-}
-
-static void gloss_host_free_list(struct gloss_host_object *host)
-{
-	dma_free_coherent(gloss_host_device(host), gloss_host_list_bytes(host), host->list,
-			  host->list_address);
-	host->list = NULL;
-}
-
-static bool gloss_host_imported(const struct gloss_host_object *host)
-{
-	return host->attach;
-}
-
-static int gloss_host_make_list(struct gloss_host_object *host)
-{
-	int ret;
-
-	ret = gloss_host_new_list(host);
-	if (ret)
-		return ret;
-
-	ret = gloss_host_imported(host) ? gloss_host_list_pages(host) : gloss_host_map_pages(host);
-	if (ret)
-		gloss_host_free_list(host);
-	return ret;
-}
 
 static unsigned long gloss_host_page_count(const struct gloss_host_object *host)
 {
@@ -202,15 +79,6 @@ static void gloss_host_unpin(struct gloss_host_object *host)
 	gloss_pages_uncharge(host->payer, gloss_host_page_count(host));
 }
 
-static void gloss_host_unmap(struct gloss_host_object *host)
-{
-	if (host->list) {
-		if (!gloss_host_imported(host))
-			gloss_host_unmap_pages(host, gloss_host_entries(host));
-		gloss_host_free_list(host);
-	}
-}
-
 static int gloss_host_map(struct gloss_host_object *host, struct gloss_file *file)
 {
 	int ret;
@@ -218,7 +86,7 @@ static int gloss_host_map(struct gloss_host_object *host, struct gloss_file *fil
 	if (host->list)
 		return 0;
 
-	ret = gloss_host_pin(host, file) ?: gloss_host_make_list(host);
+	ret = gloss_host_pin(host, file) ?: gloss_list_make(host);
 	if (ret)
 		gloss_host_unpin(host);
 	return ret;
@@ -296,7 +164,7 @@ unsigned long gloss_host_try_unpin(struct gloss_host_object *host)
 	}
 	spin_unlock(&hosts->idle_lock);
 	if (freed) {
-		gloss_host_unmap(host);
+		gloss_list_unmake(host);
 		gloss_host_unpin(host);
 	}
 	mutex_unlock(&host->lock);
@@ -323,7 +191,7 @@ void gloss_hosts_unmap(struct gloss_device *gdev)
 	mutex_lock(&hosts->lock);
 	list_for_each_entry(host, &hosts->list, node) {
 		mutex_lock(&host->lock);
-		gloss_host_unmap(host);
+		gloss_list_unmake(host);
 		gloss_host_unmap_import(host);
 		mutex_unlock(&host->lock);
 	}
@@ -349,7 +217,7 @@ static void gloss_host_free(struct drm_gem_object *object)
 	spin_lock(&hosts->idle_lock);
 	gloss_host_set_busy(host);
 	spin_unlock(&hosts->idle_lock);
-	gloss_host_unmap(host);
+	gloss_list_unmake(host);
 	gloss_host_unmap_import(host);
 	gloss_host_unpin(host);
 	mutex_unlock(&host->lock);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /* The list of bus addresses of a dma-buf's pages, and how much a file may hold. */
 #include "gloss_host.c"
+#include "gloss_list.c"
 #include "gloss_pages.c"
 #include "gloss_share.c"
 #include "gloss_kunit.h"
@@ -46,7 +47,7 @@ static void host_list_has_each_page_of_each_piece(struct kunit *test)
 	};
 	struct gloss_host_object *host = host_imported(test, pieces, ARRAY_SIZE(pieces));
 
-	KUNIT_ASSERT_EQ(test, gloss_host_list_pages(host), 0);
+	KUNIT_ASSERT_EQ(test, gloss_list_import_pages(host), 0);
 	KUNIT_EXPECT_EQ(test, le64_to_cpu(host->list[0]), 0x1000);
 	KUNIT_EXPECT_EQ(test, le64_to_cpu(host->list[1]), 0x7fffff000);
 	KUNIT_EXPECT_EQ(test, le64_to_cpu(host->list[2]), 0x800000000);
@@ -58,7 +59,7 @@ static void host_list_ends_with_the_object(struct kunit *test)
 	const struct host_piece pieces[] = { { 0x1000, 0x3000 }, { 0x9000, 0x8000 } };
 	struct gloss_host_object *host = host_imported(test, pieces, ARRAY_SIZE(pieces));
 
-	KUNIT_ASSERT_EQ(test, gloss_host_list_pages(host), 0);
+	KUNIT_ASSERT_EQ(test, gloss_list_import_pages(host), 0);
 	KUNIT_EXPECT_EQ(test, le64_to_cpu(host->list[3]), 0x9000);
 }
 
@@ -66,7 +67,7 @@ static void host_list_is_refused_to_too_few_pages(struct kunit *test)
 {
 	const struct host_piece pieces[] = { { 0x1000, 0x3000 } };
 
-	KUNIT_EXPECT_EQ(test, gloss_host_list_pages(host_imported(test, pieces, 1)), -EINVAL);
+	KUNIT_EXPECT_EQ(test, gloss_list_import_pages(host_imported(test, pieces, 1)), -EINVAL);
 }
 
 static void host_list_is_refused_to_parts_of_pages(struct kunit *test)
@@ -74,8 +75,8 @@ static void host_list_is_refused_to_parts_of_pages(struct kunit *test)
 	const struct host_piece begins[] = { { 0x1800, 0x1000 }, { 0x4000, 0x4000 } };
 	const struct host_piece ends[] = { { 0x1000, 0x1800 }, { 0x4000, 0x4000 } };
 
-	KUNIT_EXPECT_EQ(test, gloss_host_list_pages(host_imported(test, begins, 2)), -EINVAL);
-	KUNIT_EXPECT_EQ(test, gloss_host_list_pages(host_imported(test, ends, 2)), -EINVAL);
+	KUNIT_EXPECT_EQ(test, gloss_list_import_pages(host_imported(test, begins, 2)), -EINVAL);
+	KUNIT_EXPECT_EQ(test, gloss_list_import_pages(host_imported(test, ends, 2)), -EINVAL);
 }
 
 void gloss_file_put(struct gloss_file *gfile)
