@@ -28,11 +28,11 @@ COMMAND_CORES := 32-1-32 64-2-64 64-8-128
 COMMAND_SOURCES = rtl/gloss_pkg.sv $(wildcard rtl/command/*.sv) \
 	rtl/lib/ram_1r1w.sv rtl/lib/ram_fifo.sv rtl/lib/stream_register.sv
 
+COMMAND_TB := $(addprefix tests/rtl/,tb_command.cpp command_bench.h command_expected.h command_stream.h tb.h)
 COMMAND_MODEL := $(addprefix $(BUILD)/libaccel/model/,command_check.o memory.o)
 
 define command_bench
-$(BUILD)/rtl/command-$(1)-$(2)-$(3)/bench: tests/rtl/tb_command.cpp tests/rtl/command_stream.h \
-		tests/rtl/tb.h $(COMMAND_SOURCES) rtl/gloss_hw.svh $(COMMAND_MODEL)
+$(BUILD)/rtl/command-$(1)-$(2)-$(3)/bench: $(COMMAND_TB) $(COMMAND_SOURCES) rtl/gloss_hw.svh $(COMMAND_MODEL)
 	$$(call quiet,RTL,$$@)
 	$(Q)mkdir -p $$(@D)
 	$(Q)$(VERILATE) -O3 --x-assign unique --x-initial unique --top-module command \
