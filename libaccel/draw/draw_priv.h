@@ -8,6 +8,7 @@
  *   geometry.c   vertices to the window, each once
  *   clip.c       triangles that leave the view volume or the guard band
  *   lighting.c   colour at a point of a surface
+ *   patch.c      places in the middle of edges and triangles
  *   shading.c    what an edge needs: a straight line, a second-order curve, a split
  *   interpolate.c  the same for colours that only vertices have
  *   split.c      what a triangle needs; splitting it at edge midpoints
@@ -259,25 +260,28 @@ int accel_mesh_begin(struct accel_pass *pass);
 int accel_mesh_transform(struct accel_pass *pass);
 int accel_mesh_draw(struct accel_pass *pass);
 
+/* ---- patch.c ---- */
+
+/* The vertex in the middle of an edge on the screen, not sampled. */
+void accel_patch_middle(const struct accel_vertex *a, const struct accel_vertex *b,
+			struct accel_vertex *middle);
+/* Has the middle of an edge a place of its own? */
+bool accel_patch_divisible(const struct accel_vertex *a, const struct accel_vertex *b);
+/* The middle of a triangle on the screen, not sampled. */
+void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
+/* The colour there of the second-order surface through what vertices and edges were sampled to. */
+void accel_patch_surface_centre(const struct accel_patch *patch, float colour[3]);
+
 /* ---- shading.c ---- */
 
 /* Makes sure that the vertex has its sample of @side. */
 void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *vertex, int side);
-/* The vertex in the middle of an edge on the screen, not sampled. */
-void accel_shading_middle(const struct accel_vertex *a, const struct accel_vertex *b,
-			  struct accel_vertex *middle);
-/* Has the middle of an edge a place of its own? */
-bool accel_shading_divisible(const struct accel_vertex *a, const struct accel_vertex *b);
 /* What the edge between two sampled vertices needs; a split only if it is divisible. */
 void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *b, int side, struct accel_edge *edge);
 /* The same for vertices of the mesh, worked out once for both triangles. */
 void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t b, int side,
 			     struct accel_edge *edge);
-/* The middle of a triangle on the screen, not sampled. */
-void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
-/* The colour there of the second-order surface through what vertices and edges were sampled to. */
-void accel_shading_surface_centre(const struct accel_patch *patch, float colour[3]);
 /* Must the triangle be split although none of its edges is? */
 bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side);
 

@@ -50,7 +50,7 @@ static float interpolate_curve_error(const struct accel_vertex *a,
 	struct accel_vertex quarter;
 	float curve[3];
 
-	accel_shading_middle(a, middle, &quarter);
+	accel_patch_middle(a, middle, &quarter);
 	for (int i = 0; i < 3; i++)
 		curve[i] = 0.375f * a->sample.colour[i] + 0.75f * middle->sample.colour[i] -
 			   0.125f * b->sample.colour[i];
@@ -73,12 +73,12 @@ void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_ver
 		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
 	if (!bends && !alpha_bends)
 		return;
-	accel_shading_middle(a, b, &middle);
+	accel_patch_middle(a, b, &middle);
 	edge->middle = middle.sample;
 	edge->sampled = edge->curved = true;
 	for (int i = 0; i < 3; i++)
 		edge->colour[i] = middle.sample.colour[i];
-	if (!accel_shading_divisible(a, b))
+	if (!accel_patch_divisible(a, b))
 		return;
 	edge->split = alpha_bends || interpolate_curve_error(a, &middle, b) > CURVE ||
 		      interpolate_curve_error(b, &middle, a) > CURVE;
@@ -91,10 +91,10 @@ bool accel_interpolate_inside(const struct accel_patch *patch)
 
 	if (!patch->edge[0]->curved && !patch->edge[1]->curved && !patch->edge[2]->curved)
 		return false;
-	accel_shading_centre(patch, &middle);
+	accel_patch_centre(patch, &middle);
 	for (int i = 0; i < 3; i++)
 		alpha += patch->vertex[i]->sample.colour[3] / 3;
-	accel_shading_surface_centre(patch, curve);
+	accel_patch_surface_centre(patch, curve);
 	return interpolate_difference(curve, middle.sample.colour, 3) > CURVE ||
 	       fabsf(alpha - middle.sample.colour[3]) > STRAIGHT;
 }

@@ -45,45 +45,6 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 			vertex->sample.colour[i] = 1;
 }
 
-/* How far from @a and from @b, in space, the point is that is halfway on the screen. */
-static void shading_halfway(const struct accel_vertex *a, const struct accel_vertex *b, float *of_a,
-			    float *of_b)
-{
-	double sum = 1 / ((double)a->w + (double)b->w);
-
-	*of_a = (float)((double)b->w * sum);
-	*of_b = (float)((double)a->w * sum);
-}
-
-void accel_shading_middle(const struct accel_vertex *a, const struct accel_vertex *b,
-			  struct accel_vertex *middle)
-{
-	float s, t;
-
-	shading_halfway(a, b, &s, &t);
-	middle->x = (a->x + b->x) / 2;
-	middle->y = (a->y + b->y) / 2;
-	middle->w = s * a->w + t * b->w;
-	middle->z = (a->z + b->z) / 2;
-	middle->outside = 0;
-	middle->level = (a->level > b->level ? a->level : b->level) + 1;
-	middle->sampled = 0;
-	middle->sample = (struct accel_sample){ 0 };
-	for (int i = 0; i < 3; i++) {
-		middle->eye[i] = s * a->eye[i] + t * b->eye[i];
-		middle->normal[i] = s * a->normal[i] + t * b->normal[i];
-	}
-	for (int i = 0; i < 4; i++) {
-		middle->sample.colour[i] = s * a->sample.colour[i] + t * b->sample.colour[i];
-		middle->paint[i] = s * a->paint[i] + t * b->paint[i];
-	}
-}
-
-bool accel_shading_divisible(const struct accel_vertex *a, const struct accel_vertex *b)
-{
-	return a->level < ACCEL_SPLIT_LEVELS && b->level < ACCEL_SPLIT_LEVELS;
-}
-
 /* The square of the angle between the normals (of its chord, exactly). */
 static float shading_normal_spread(const struct accel_vertex *a, const struct accel_vertex *b)
 {
@@ -200,7 +161,7 @@ static float shading_curve_error(const struct accel_pass *pass, const struct acc
 	struct accel_vertex quarter;
 	float curve[3];
 
-	accel_shading_middle(a, middle, &quarter);
+	accel_patch_middle(a, middle, &quarter);
 	accel_shading_vertex(pass, &quarter, side);
 	for (int i = 0; i < 3; i++)
 		curve[i] = 0.375f * a->sample.colour[i] + 0.75f * middle->sample.colour[i] -
@@ -305,12 +266,12 @@ static void shading_sampled_edge(const struct accel_pass *pass, const struct acc
 	struct accel_vertex middle;
 	float off_line;
 
-	accel_shading_middle(a, b, &middle);
+	accel_patch_middle(a, b, &middle);
 	accel_shading_vertex(pass, &middle, side);
 	edge->middle = middle.sample;
 	edge->sampled = true;
 	off_line = shading_deviation(edge->colour, middle.sample.colour);
-	edge->split = adaptive && accel_shading_divisible(a, b) &&
+	edge->split = adaptive && accel_patch_divisible(a, b) &&
 		      shading_wants_split(pass, a, &middle, b, side, span, off_line);
 	edge->curved = !adaptive || off_line >= STRAIGHT;
 	if (!edge->curved)
@@ -361,41 +322,6 @@ void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t
 	*edge = entry->edge;
 }
 
-void accel_shading_centre(const struct accel_patch *patch, struct accel_vertex *vertex)
-{
-	float weight[3], sum = 0;
-
-	*vertex = (struct accel_vertex){ .w = 1 };
-	for (int i = 0; i < 3; i++) {
-		weight[i] = 1 / patch->vertex[i]->w;
-		sum += weight[i];
-	}
-	for (int i = 0; i < 3; i++) {
-		const struct accel_vertex *corner = patch->vertex[i];
-		float part = weight[i] / sum;
-
-		for (int j = 0; j < 3; j++) {
-			vertex->eye[j] += part * corner->eye[j];
-			vertex->normal[j] += part * corner->normal[j];
-		}
-		for (int j = 0; j < 4; j++) {
-			vertex->sample.colour[j] += part * corner->sample.colour[j];
-			vertex->paint[j] += part * corner->paint[j];
-		}
-	}
-}
-
-void accel_shading_surface_centre(const struct accel_patch *patch, float colour[3])
-{
-	for (int i = 0; i < 3; i++)
-		colour[i] = (4 * (patch->edge[0]->colour[i] + patch->edge[1]->colour[i] +
-				  patch->edge[2]->colour[i]) -
-			     (patch->vertex[0]->sample.colour[i] +
-			      patch->vertex[1]->sample.colour[i] +
-			      patch->vertex[2]->sample.colour[i])) /
-			    9;
-}
-
 bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side)
 {
 	const struct accel_finish *finish = &pass->lighting.finish[side];
@@ -408,12 +334,12 @@ bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 		spread = number_larger(spread, patch->edge[i]->spread);
 	if (!(spread * number_larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
 		return false;
-	accel_shading_centre(patch, &middle);
+	accel_patch_centre(patch, &middle);
 	accel_shading_vertex(pass, &middle, side);
 	/* No point is farther from the middle than two thirds of the longest edge. */
 	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
 	    shading_highlight_near(finish, middle.sample.shine, spread * 4 / 9))
 		return true;
-	accel_shading_surface_centre(patch, curve);
+	accel_patch_surface_centre(patch, curve);
 	return shading_deviation(curve, middle.sample.colour) > CURVE;
 }

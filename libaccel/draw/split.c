@@ -27,7 +27,7 @@ static void split_cut_init(const struct whole *whole, const struct accel_patch *
 {
 	const struct accel_vertex *a = patch->vertex[i], *b = patch->vertex[(i + 1) % 3];
 
-	accel_shading_middle(a, b, &cut->middle);
+	accel_patch_middle(a, b, &cut->middle);
 	if (patch->edge[i]->sampled) {
 		cut->middle.sample = patch->edge[i]->middle;
 		cut->middle.sampled = 1u + (unsigned int)whole->side;
@@ -171,7 +171,7 @@ static bool split_inner_fits(const struct accel_patch *patch, int count)
 	struct accel_patch turned = split_first(patch, count);
 	struct accel_vertex middle;
 
-	accel_shading_middle(turned.vertex[0], turned.vertex[1], &middle);
+	accel_patch_middle(turned.vertex[0], turned.vertex[1], &middle);
 	return accel_setup_edge_fits(&middle, turned.vertex[2]);
 }
 

@@ -36,7 +36,7 @@ static void chance_edge(const struct accel_pass *pass, const struct accel_vertex
 	(void)pass;
 	(void)side;
 	*edge = (struct accel_edge){
-		.split = accel_shading_divisible(a, b) && test_below(&seed, 16) < split_odds,
+		.split = accel_patch_divisible(a, b) && test_below(&seed, 16) < split_odds,
 		.sampled = true,
 		.curved = true,
 	};

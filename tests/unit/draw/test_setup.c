@@ -252,7 +252,7 @@ static void midpoints_are_on_their_edge(void **state)
 		for (int level = 0; level < ACCEL_SPLIT_LEVELS; level++) {
 			struct accel_vertex middle;
 
-			accel_shading_middle(&a, &b, &middle);
+			accel_patch_middle(&a, &b, &middle);
 			assert_int_equal(2 * middle.x, a.x + b.x);
 			assert_int_equal(2 * middle.y, a.y + b.y);
 			assert_int_equal(accel_surface_area(&a, &middle, &b), 0);
@@ -272,11 +272,11 @@ static void what_a_split_edge_needs_is_what_the_edge_needed(void **state)
 	(void)state;
 	assert_true(accel_setup_edge_fits(&top, &bottom));
 	assert_false(accel_setup_edge_fits(&top, &far));
-	accel_shading_middle(&top, &bottom, &middle);
+	accel_patch_middle(&top, &bottom, &middle);
 	assert_true(accel_setup_edge_fits(&top, &middle));
 	assert_true(accel_setup_edge_fits(&middle, &bottom));
 	/* From the middle of another edge, the same height has one digit more. */
-	accel_shading_middle(&top, &(struct accel_vertex){ .x = 64, .w = 1 }, &middle);
+	accel_patch_middle(&top, &(struct accel_vertex){ .x = 64, .w = 1 }, &middle);
 	assert_false(accel_setup_edge_fits(&middle, &bottom));
 }
 

@@ -163,7 +163,7 @@ static void midpoints_are_where_the_screen_has_them(void **state)
 	b.eye[0] = 4;
 	b.normal[1] = 8;
 	b.sample.colour[2] = 1;
-	accel_shading_middle(&a, &b, &middle);
+	accel_patch_middle(&a, &b, &middle);
 	assert_true(middle.eye[0] == 1);
 	assert_true(middle.normal[1] == 2);
 	assert_true(middle.sample.colour[2] == 0.25f);
@@ -275,8 +275,8 @@ static void an_edge_is_the_same_from_both_sides_to_the_bit(void **state)
 		to = edge_between(f, &a, &b);
 		from = edge_between(f, &b, &a);
 		assert_same_edge(&to, &from);
-		accel_shading_middle(&a, &b, &there);
-		accel_shading_middle(&b, &a, &back);
+		accel_patch_middle(&a, &b, &there);
+		accel_patch_middle(&b, &a, &back);
 		assert_same_vertex(&there, &back);
 		split += to.split;
 		curved += to.curved;
@@ -308,8 +308,8 @@ static void what_is_drawn_is_near_the_light_all_along_an_edge(void **state)
 		points[8] = b;
 		for (int step = 8; step > 1; step /= 2)
 			for (int i = 0; i < 8; i += step) {
-				accel_shading_middle(&points[i], &points[i + step],
-						     &points[i + step / 2]);
+				accel_patch_middle(&points[i], &points[i + step],
+						   &points[i + step / 2]);
 				accel_shading_vertex(&f->pass, &points[i + step / 2], 0);
 			}
 		for (int i = 0; i < 9; i++) {
