@@ -13,6 +13,7 @@
  *   write_table.c    the decoder's table
  *   write_manual.c   the manual
  *   text.c           wrapping of doc text, for all of them
+ *   base.c           faults and memory
  *   main.c           arguments and files
  *
  * The first thing wrong ends the program: hw_fail names file and line.
@@ -129,9 +130,10 @@ struct hw_interface {
 void hw_fail(const char *path, unsigned long line, const char *format, ...)
 	__attribute__((noreturn, format(printf, 3, 4)));
 
-/* Zeroed memory that lives as long as the program. */
+/* Zeroed memory that lives until hw_free(). */
 void *hw_alloc(size_t size);
 char *hw_copy(const char *text, size_t length);
+void hw_free(void);
 
 void hw_read(const char *path, struct hw_interface *hw);
 void hw_check(struct hw_interface *hw);

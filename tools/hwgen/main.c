@@ -3,7 +3,6 @@
  * differs, so that nothing is rebuilt for nothing and nobody sees half of it. */
 #include <errno.h>
 #include <getopt.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -20,45 +19,6 @@ static const char usage[] =
 	"  --sv FILE      SystemVerilog constants and packed structs\n"
 	"  --table FILE   the table of gloss-decode\n"
 	"  --manual FILE  the manual, in Markdown\n";
-
-/* Everything hw_alloc gave out, so that a leak checker finds it. */
-struct block {
-	struct block *next;
-};
-
-static struct block *blocks;
-
-void hw_fail(const char *path, unsigned long line, const char *format, ...)
-{
-	va_list arguments;
-
-	fprintf(stderr, line ? "%s:%lu: " : "%s: ", path, line);
-	va_start(arguments, format);
-	vfprintf(stderr, format, arguments);
-	va_end(arguments);
-	fputc('\n', stderr);
-	exit(1);
-}
-
-void *hw_alloc(size_t size)
-{
-	struct block *block = calloc(1, sizeof(*block) + size);
-
-	if (!block)
-		hw_fail("hwgen", 0, "out of memory");
-	block->next = blocks;
-	blocks = block;
-	return block + 1;
-}
-
-char *hw_copy(const char *text, size_t length)
-{
-	char *copy = hw_alloc(length + 1);
-
-	if (length)
-		memcpy(copy, text, length);
-	return copy;
-}
 
 static bool same(const char *path, const char *data, size_t size)
 {
@@ -142,11 +102,6 @@ int main(int argc, char **argv)
 		if (paths[i])
 			write_file(paths[i], writers[i], &hw);
 	}
-	while (blocks) {
-		struct block *next = blocks->next;
-
-		free(blocks);
-		blocks = next;
-	}
+	hw_free();
 	return 0;
 }
