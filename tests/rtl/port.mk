@@ -11,7 +11,7 @@ PORT_TB_SOURCES = rtl/gloss_pkg.sv $(PORT_SOURCES) $(addprefix rtl/lib/, \
 	axi_rules.sv core_parameters.sv ram_1r1w.sv ram_fifo.sv stream_fifo.sv stream_register.sv)
 PORT_TB_NEEDS := $(addprefix tests/rtl/,port_access.h port_core.h tb.h) \
 	driver/gloss_regs.h libaccel/gloss_packets.h
-PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp port_bench.h port_host.h)
+PORT_TB_pci := $(addprefix tests/rtl/,tb_port_pci.cpp tb_port_pci_faults.cpp port_bench.h port_host.h)
 PORT_TB_usb := $(addprefix tests/rtl/,tb_port_usb.cpp tb_port_usb_faults.cpp port_usb_bench.h) \
 	libaccel/transport/usb/checksum.h
 

@@ -204,6 +204,25 @@ class PortBench : public PortAccess<Vport_pci>
 			TB_CHECK(clocks - start < 300000, "a refused access is not told");
 	}
 
+	/* After wait(). */
+	void check_counters()
+	{
+		static const uint32_t stalls[] = { GLOSS_REG_STALL_STREAM, GLOSS_REG_STALL_RASTER,
+						   GLOSS_REG_STALL_TILE, GLOSS_REG_STALL_MEMORY,
+						   GLOSS_REG_STALL_RESPONSE };
+		uint64_t sum;
+
+		TB_CHECK(read(GLOSS_REG_HEAD) == (tail & 0xffff), "HEAD");
+		TB_CHECK(read(GLOSS_REG_JOBS) == finished, "JOBS");
+		TB_CHECK(read(GLOSS_REG_PROGRESS) == progress, "PROGRESS");
+		sum = read(GLOSS_REG_CLOCKS_LOW) | (uint64_t)read(GLOSS_REG_CLOCKS_HIGH) << 32;
+		TB_CHECK(sum == time[0], "CLOCKS is %" PRIx64, sum);
+		for (int n = 0; n < 5; n++)
+			TB_CHECK(read(stalls[n]) == (uint32_t)time[1 + n], "stall counter %d", n);
+		TB_CHECK(read(GLOSS_REG_STATUS) == GLOSS_REG_STATUS_IDLE,
+			 "not idle when all is done");
+	}
+
 	using PortAccess::clock;
 
 	void clock() override
@@ -340,5 +359,8 @@ class PortBench : public PortAccess<Vport_pci>
 	std::map<uint32_t, PortJob> last; /* by entry */
 	std::vector<uint64_t> placed;
 };
+
+/* tb_port_pci_faults.cpp */
+void port_pci_faults(PortBench &bench, int rounds);
 
 #endif
