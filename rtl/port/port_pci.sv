@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The PCI port: a job ring in host memory, as gloss.xml describes it, in front of the core.
 //
-//   registers <-> ring -> slots ------------------> core's slot table
-//                  |---> list -> read ------------> core's stream
-//                  |---> list -> write <----------- core's response
-//   registers <- complete <------------------------ core's status
+//   registers <-> fetch ------------------> core's slot table, stream
+//                   |---> write <---------- core's response
+//   registers <- complete <---------------- core's status
 //
 // While a job runs, the next one's descriptor, slot table and first pages of the stream's list are
-// read ahead; the response's list is read when the core answers. Reads of all share one channel
-// (host_read), writes the other (host_write); between them and the host stands a gate, so that
+// read ahead; the response's list is read when the core answers. All reads share one channel
+// (fetch), writes the other (host_write); between them and the host stands a gate, so that
 // everything behind it can be reset at any time. The same reset is the core's, and whoever stands
 // before the core's memory stops and lets go as the gate does (memory_*).
 //
@@ -99,21 +98,11 @@ module port_pci #(
     .TimeCounters  (TimeCounters)
   ) u_parameters ();
 
-  // Who reads, the first first.
-  localparam int unsigned Readers = 5;
-  localparam int unsigned StreamList = 0;
-  localparam int unsigned ResponseList = 1;
-  localparam int unsigned Ring = 2;
-  localparam int unsigned SlotTable = 3;
-  localparam int unsigned Stream = 4;
-  localparam logic [7:0] DescriptorLength = 8'(512 / StreamBits - 1);
-  localparam logic [7:0] SlotsLength = 8'(512 / StreamBits - 1);
-  localparam logic [7:0] EntryLength = StreamBits == 32 ? 8'd1 : 8'd0;
-
   // reset and errors
   logic reset, resetting, reset_stop, core_rst_n;
   logic gate_stopped, gate_idle;
-  logic read_ahead_error, read_current_error, failed, error_stop, dma_error, dma_event;
+  logic read_ahead_error, read_list_error, read_current_error;
+  logic failed, error_stop, dma_error, dma_event;
   logic [63:0] read_error_address, write_error_address, dma_address;
   logic [31:0] dma_sequence;
   logic write_error;
@@ -127,29 +116,15 @@ module port_pci #(
   logic [15:0] tail, head;
   logic [63:4] records;
 
-  // ring
-  // Low bits of addresses are taken as zero.
-  // verilator lint_off UNUSEDSIGNAL
-  gloss_pkg::job_descriptor_t job;
-  // verilator lint_on UNUSEDSIGNAL
-  logic ring_idle, next_valid, listed, load, loaded, list_start, start, copied, current, done;
+  // jobs
+  logic ring_idle, next_valid, listed, current, done;
   logic [7:0] entry;
-  logic [31:0] current_sequence;
-
-  // lists
-  logic stream_list_idle, stream_list_drained, response_list_stop, response_list_empty;
-  logic stream_page_valid, stream_page_ready, response_page_valid, response_page_ready;
-  logic [63:12] stream_page, response_page;
-
-  // host reads
-  logic [Readers-1:0] read_valid, read_ready, beat_valid, read_error;
-  logic [64*Readers-1:0] read_address;
-  logic [8*Readers-1:0] read_length;
-  logic beat_last;
-  logic [StreamBits-1:0] beat_data;
+  logic [31:0] next_sequence, current_sequence;
 
   // host writes
   logic flush, written, pending, completion;
+  logic response_list_stop, response_list_empty, response_page_valid, response_page_ready;
+  logic [63:12] response_page;
   logic response_address_valid, response_address_ready, response_data_valid, response_data_ready;
   logic [63:8] response_address;
   logic [7:0] response_length, completion_length;
@@ -172,8 +147,6 @@ module port_pci #(
 
   assign core_rst_no = core_rst_n;
   assign memory_stop_o = reset_stop;
-  assign job_stream_words_o = job.stream_words;
-  assign job_response_words_o = job.response_words;
   assign idle = ring_idle && gate_idle && !error_stop;
 
   port_reset u_reset (
@@ -248,171 +221,57 @@ module port_pci #(
     .dma_address_i(dma_address)
   );
 
-  port_ring #(
+  port_fetch #(
     .StreamBits(StreamBits)
-  ) u_ring (
-    .clk_i         (clk_i),
-    .rst_ni        (core_rst_n),
-    .enable_i      (enable),
-    .ring_i        (ring),
-    .ring_log2_i   (ring_log2),
-    .tail_i        (tail),
-    .head_o        (head),
-    .idle_o        (ring_idle),
-    .read_valid_o  (read_valid[Ring]),
-    .read_ready_i  (read_ready[Ring]),
-    .read_address_o(read_address[64*Ring+6 +: 58]),
-    .beat_valid_i  (beat_valid[Ring]),
-    .beat_last_i   (beat_last),
-    .beat_data_i   (beat_data),
-    .job_o         (job),
-    .failed_i      (failed),
-    .next_valid_o  (next_valid),
-    .listed_o      (listed),
-    .load_o        (load),
-    .loaded_i      (loaded),
-    .list_o        (list_start),
-    .list_idle_i   (stream_list_idle),
-    .list_drained_i(stream_list_drained),
-    .start_o       (start),
-    .copied_i      (copied),
-    .job_valid_o   (job_valid_o),
-    .job_ready_i   (job_ready_i),
-    .current_o     (current),
-    .entry_o       (entry),
-    .sequence_o    (current_sequence),
-    .done_i        (done)
-  );
-  assign read_address[64*Ring +: 6] = '0;
-  assign read_length[8*Ring +: 8] = DescriptorLength;
-
-  port_slots #(
-    .StreamBits(StreamBits)
-  ) u_slots (
-    .clk_i         (clk_i),
-    .rst_ni        (core_rst_n),
-    .load_i        (load),
-    .table_i       ({job.slot_table_high, job.slot_table_low[31:6]}),
-    .loaded_o      (loaded),
-    .copy_i        (start),
-    .copied_o      (copied),
-    .read_valid_o  (read_valid[SlotTable]),
-    .read_ready_i  (read_ready[SlotTable]),
-    .read_address_o(read_address[64*SlotTable+6 +: 58]),
-    .beat_valid_i  (beat_valid[SlotTable]),
-    .beat_data_i   (beat_data),
-    .slot_write_o  (slot_write_o),
-    .slot_index_o  (slot_index_o),
-    .slot_base_o   (slot_base_o),
-    .slot_size_o   (slot_size_o),
-    .slot_rights_o (slot_rights_o)
-  );
-  assign read_address[64*SlotTable +: 6] = '0;
-  assign read_length[8*SlotTable +: 8] = SlotsLength;
-
-  port_list #(
-    .StreamBits(StreamBits)
-  ) u_stream_list (
-    .clk_i         (clk_i),
-    .rst_ni        (core_rst_n),
-    .start_i       (list_start),
-    .list_i        ({job.stream_list_high, job.stream_list_low[31:3]}),
-    .words_i       (job.stream_words),
-    .request_i     (1'b1),
-    .stop_i        (1'b0),
-    .idle_o        (stream_list_idle),
-    .drained_o     (stream_list_drained),
-    /* verilator lint_off PINCONNECTEMPTY */
-    .empty_o       (), // a stream takes all of its pages
-    /* verilator lint_on PINCONNECTEMPTY */
-    .read_valid_o  (read_valid[StreamList]),
-    .read_ready_i  (read_ready[StreamList]),
-    .read_address_o(read_address[64*StreamList+3 +: 61]),
-    .beat_valid_i  (beat_valid[StreamList]),
-    .beat_last_i   (beat_last),
-    .beat_data_i   (beat_data),
-    .page_valid_o  (stream_page_valid),
-    .page_ready_i  (stream_page_ready),
-    .page_o        (stream_page)
-  );
-  assign read_address[64*StreamList +: 3] = '0;
-  assign read_length[8*StreamList +: 8] = EntryLength;
-
-  port_list #(
-    .StreamBits(StreamBits)
-  ) u_response_list (
-    .clk_i         (clk_i),
-    .rst_ni        (core_rst_n),
-    .start_i       (start),
-    .list_i        ({job.response_list_high, job.response_list_low[31:3]}),
-    .words_i       (job.response_words),
-    .request_i     (response_valid_i || !written),
-    .stop_i        (response_list_stop),
-    /* verilator lint_off PINCONNECTEMPTY */
-    .idle_o        (),
-    .drained_o     (), // empty says more, and it is never read ahead
-    /* verilator lint_on PINCONNECTEMPTY */
-    .empty_o       (response_list_empty),
-    .read_valid_o  (read_valid[ResponseList]),
-    .read_ready_i  (read_ready[ResponseList]),
-    .read_address_o(read_address[64*ResponseList+3 +: 61]),
-    .beat_valid_i  (beat_valid[ResponseList]),
-    .beat_last_i   (beat_last),
-    .beat_data_i   (beat_data),
-    .page_valid_o  (response_page_valid),
-    .page_ready_i  (response_page_ready),
-    .page_o        (response_page)
-  );
-  assign read_address[64*ResponseList +: 3] = '0;
-  assign read_length[8*ResponseList +: 8] = EntryLength;
-
-  port_read #(
-    .StreamBits(StreamBits)
-  ) u_read (
-    .clk_i         (clk_i),
-    .rst_ni        (core_rst_n),
-    .start_i       (start),
-    .words_i       (job.stream_words),
-    .page_valid_i  (stream_page_valid),
-    .page_ready_o  (stream_page_ready),
-    .page_i        (stream_page),
-    .read_valid_o  (read_valid[Stream]),
-    .read_ready_i  (read_ready[Stream]),
-    .read_address_o(read_address[64*Stream+8 +: 56]),
-    .read_length_o (read_length[8*Stream +: 8]),
-    .beat_valid_i  (beat_valid[Stream]),
-    .beat_data_i   (beat_data),
-    .stream_valid_o(stream_valid_o),
-    .stream_ready_i(stream_ready_i),
-    .stream_data_o (stream_data_o),
-    .taken_o       (stream_taken)
-  );
-  assign read_address[64*Stream +: 8] = '0;
-
-  port_host_read #(
-    .StreamBits(StreamBits),
-    .Readers   (Readers)
-  ) u_host_read (
-    .clk_i          (clk_i),
-    .rst_ni         (core_rst_n),
-    .valid_i        (read_valid),
-    .ready_o        (read_ready),
-    .address_i      (read_address),
-    .length_i       (read_length),
-    .beat_valid_o   (beat_valid),
-    .beat_last_o    (beat_last),
-    .beat_data_o    (beat_data),
-    .error_o        (read_error),
-    .error_address_o(read_error_address),
-    .arvalid_o      (arvalid),
-    .arready_i      (arready),
-    .araddr_o       (araddr),
-    .arlen_o        (arlen),
-    .rvalid_i       (rvalid),
-    .rready_o       (rready),
-    .rdata_i        (rdata),
-    .rlast_i        (rlast),
-    .rresp_i        (rresp)
+  ) u_fetch (
+    .clk_i                (clk_i),
+    .rst_ni               (core_rst_n),
+    .enable_i             (enable),
+    .ring_i               (ring),
+    .ring_log2_i          (ring_log2),
+    .tail_i               (tail),
+    .head_o               (head),
+    .idle_o               (ring_idle),
+    .failed_i             (failed),
+    .next_valid_o         (next_valid),
+    .next_sequence_o      (next_sequence),
+    .listed_o             (listed),
+    .current_o            (current),
+    .entry_o              (entry),
+    .sequence_o           (current_sequence),
+    .done_i               (done),
+    .slot_write_o         (slot_write_o),
+    .slot_index_o         (slot_index_o),
+    .slot_base_o          (slot_base_o),
+    .slot_size_o          (slot_size_o),
+    .slot_rights_o        (slot_rights_o),
+    .job_valid_o          (job_valid_o),
+    .job_ready_i          (job_ready_i),
+    .job_stream_words_o   (job_stream_words_o),
+    .job_response_words_o (job_response_words_o),
+    .stream_valid_o       (stream_valid_o),
+    .stream_ready_i       (stream_ready_i),
+    .stream_data_o        (stream_data_o),
+    .stream_taken_o       (stream_taken),
+    .response_request_i   (response_valid_i || !written),
+    .response_list_stop_i (response_list_stop),
+    .response_list_empty_o(response_list_empty),
+    .response_page_valid_o(response_page_valid),
+    .response_page_ready_i(response_page_ready),
+    .response_page_o      (response_page),
+    .ahead_error_o        (read_ahead_error),
+    .list_error_o         (read_list_error),
+    .current_error_o      (read_current_error),
+    .error_address_o      (read_error_address),
+    .arvalid_o            (arvalid),
+    .arready_i            (arready),
+    .araddr_o             (araddr),
+    .arlen_o              (arlen),
+    .rvalid_i             (rvalid),
+    .rready_o             (rready),
+    .rdata_i              (rdata),
+    .rlast_i              (rlast),
+    .rresp_i              (rresp)
   );
 
   port_write #(
@@ -506,21 +365,18 @@ module port_pci #(
     .bresp_i                   (bresp)
   );
 
-  assign read_ahead_error = read_error[Ring] || read_error[SlotTable];
-  assign read_current_error = read_error[ResponseList] || read_error[Stream];
-
   port_error u_error (
     .clk_i          (clk_i),
     .rst_ni         (core_rst_n),
     .ahead_i        (read_ahead_error),
-    .list_i         (read_error[StreamList]),
+    .list_i         (read_list_error),
     .current_error_i(read_current_error || write_error),
     .address_i      (write_error ? write_error_address : read_error_address),
     .current_i      (current),
     .listed_i       (listed),
     .next_valid_i   (next_valid),
     .sequence_i     (current_sequence),
-    .next_sequence_i(job.sequence_),
+    .next_sequence_i(next_sequence),
     .failed_o       (failed),
     .stop_o         (error_stop),
     .idle_i         (gate_idle),
