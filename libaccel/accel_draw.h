@@ -290,6 +290,15 @@ int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
 int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *clear);
 
 /*
+ * Nobody will read what the frame leaves in @planes, of ACCEL_CLEAR_*: the board need not store it,
+ * which is up to half of its work on large pictures. After the frame each pixel of these planes may
+ * have what it had before the frame or anything that the frame gave it. Call it at any place of
+ * a frame, for that frame alone; most call it for ACCEL_CLEAR_DEPTH, if the next begins by clearing.
+ * -EINVAL: no frame was begun; @planes has no bit, or others.
+ */
+int accel_draw_discard(struct accel_draw *draw, unsigned int planes);
+
+/*
  * Draws @mesh on the frame's target as @state says.
  * -EINVAL: no frame was begun; an index out of range; a coordinate that is not finite; no
  * position array; an array or a topology that is not drawn so far; a size that is not set, or

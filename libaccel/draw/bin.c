@@ -66,6 +66,7 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height)
 	bin->height = height;
 	bin->columns = columns;
 	bin->rows = rows;
+	bin->discard = 0;
 	bin_forget_records(bin);
 	return 0;
 }

@@ -43,6 +43,7 @@ struct accel_bin {
 	struct accel_tile *tile; /* row by row */
 	int tiles_room;
 	struct accel_tile_clear clear;
+	unsigned int discard;          /* planes that need not be stored, of ACCEL_CLEAR_* */
 	struct accel_tile_state state; /* of what is drawn next; its scissor is per tile */
 	struct accel_bounds visible;
 	struct accel_block *block, *block_now;

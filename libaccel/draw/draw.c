@@ -185,6 +185,23 @@ int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *given)
 	return err ? err : draw_bin_clear(draw, &clear);
 }
 
+int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
+{
+	int err = draw_check_begun(draw, "a discard");
+
+	if (err)
+		return err;
+	if (!planes || planes & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH)) {
+		accel_device_message(draw->device,
+				     "a discard of the planes %#x, which has to be "
+				     "some of ACCEL_CLEAR_*",
+				     planes);
+		return -EINVAL;
+	}
+	draw->bin.discard |= planes;
+	return 0;
+}
+
 static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
 {
 	struct accel_vertex *vertex;

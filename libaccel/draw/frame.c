@@ -72,18 +72,20 @@ struct part {
 	uint32_t end; /* offset to store to */
 };
 
-static struct part frame_part_of(bool clear, uint32_t value, bool uses, bool writes,
+/* @mask: the plane, of ACCEL_CLEAR_*. */
+static struct part frame_part_of(const struct accel_bin *bin, const struct accel_tile_clear *clear,
+				 unsigned int mask, uint32_t value, bool uses, bool writes,
 				 uint32_t offset)
 {
 	struct part part = { .output = GLOSS_TILE_OUTPUT_DROP };
 
-	if (clear) {
+	if (clear->mask & mask) {
 		part.begin = value;
 	} else if (uses) {
 		part.load = true;
 		part.begin = offset;
 	}
-	if (clear || writes) {
+	if ((clear->mask & mask || writes) && !(bin->discard & mask)) {
 		part.output = GLOSS_TILE_OUTPUT_STORE;
 		part.end = offset;
 	}
@@ -107,9 +109,9 @@ static int frame_tile_records(struct writer *writer, const struct accel_tile *ti
 static int frame_tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
 {
 	const struct accel_tile_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
-	struct part colour = frame_part_of(clear->mask & ACCEL_CLEAR_COLOUR, clear->colour,
+	struct part colour = frame_part_of(writer->bin, clear, ACCEL_CLEAR_COLOUR, clear->colour,
 					   tile->uses_colour, tile->uses_colour, offset);
-	struct part depth = frame_part_of(clear->mask & ACCEL_CLEAR_DEPTH, clear->depth,
+	struct part depth = frame_part_of(writer->bin, clear, ACCEL_CLEAR_DEPTH, clear->depth,
 					  tile->uses_depth, tile->writes_depth, offset);
 	uint32_t words[1 + GLOSS_TILE_BEGIN_WORDS];
 	int err;
@@ -144,6 +146,15 @@ static bool frame_job_full(const struct writer *writer, const struct accel_tile 
 	return writer->words > JOB_WORDS && writer->words + tile->words + TILE_WORDS > job_words;
 }
 
+/* Of what is discarded nothing is left. */
+static bool frame_tile_leaves(const struct accel_bin *bin, const struct accel_tile *tile)
+{
+	unsigned int planes = tile->drawn ? ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH :
+					    bin->clear.mask;
+
+	return planes & ~bin->discard;
+}
+
 static int frame_tiles_write(struct writer *writer, size_t job_words)
 {
 	const struct accel_bin *bin = writer->bin;
@@ -154,7 +165,7 @@ static int frame_tiles_write(struct writer *writer, size_t job_words)
 		uint32_t x = (uint32_t)(i % bin->columns * bin->tile_size);
 		uint32_t y = (uint32_t)(i / bin->columns * bin->tile_size);
 
-		if (!tile->drawn && !bin->clear.mask)
+		if (!frame_tile_leaves(bin, tile))
 			continue;
 		writer->tiles++;
 		if (frame_job_full(writer, tile, job_words)) {

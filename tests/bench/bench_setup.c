@@ -57,6 +57,7 @@ static double draw(struct bench *bench, const struct accel_mesh *mesh,
 	struct accel_fence *fence;
 
 	need(accel_draw_begin(bench->draw, bench->target, &black), "accel_draw_begin");
+	need(accel_draw_discard(bench->draw, ACCEL_CLEAR_DEPTH), "accel_draw_discard");
 	need(accel_draw_mesh(bench->draw, bench->state, mesh), "accel_draw_mesh");
 	need(accel_draw_submit(bench->draw, &fence), "accel_draw_submit");
 	time = thread_time() - start;

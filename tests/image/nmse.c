@@ -139,6 +139,7 @@ static void place(struct bench *bench, const struct mesh *mesh)
 
 	mesh_bounds(mesh, centre, &radius);
 	bench->scene.mesh = mesh_lend(mesh);
+	bench->scene.keeps_depth = true;
 	matrix_identity(bench->modelview);
 	/* So that a torus shows both of its radii, and spheres no symmetry. */
 	matrix_rotate_y(bench->modelview, 28.6f);

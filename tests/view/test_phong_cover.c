@@ -42,6 +42,7 @@ static void random_convex(float quad[4][3])
 static void add_cover(struct fixture *f, const float quad[4][3], const uint32_t index[3],
 		      uint8_t *count)
 {
+	f->scene.keeps_depth = true;
 	f->scene.mesh.position.data = quad;
 	f->scene.mesh.index = index;
 	f->scene.mesh.indices = 3;

@@ -107,6 +107,8 @@ int scene_draw(const struct scene *scene, enum accel_shading shading, struct acc
 		ret = accel_draw_begin(draw, target, &clear);
 	if (!ret)
 		ret = accel_draw_mesh(draw, state, &scene->mesh);
+	if (!ret && !scene->keeps_depth)
+		ret = accel_draw_discard(draw, ACCEL_CLEAR_DEPTH);
 	if (!ret)
 		ret = accel_draw_finish(draw);
 	if (!ret && stats)

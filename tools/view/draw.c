@@ -107,6 +107,7 @@ static int open_pictures(struct view *view)
 	if (in_parts(options) &&
 	    picture_new(at_most(options->width), at_most(options->height), &view->part))
 		return failed("out of memory", "picture", -ENOMEM);
+	view->scene.keeps_depth = depth;
 	if (depth)
 		view->depth = malloc(pixels * sizeof(*view->depth));
 	return depth && !view->depth ? failed("out of memory", "picture", -ENOMEM) : VIEW_OK;

@@ -88,6 +88,81 @@ static void a_clear_happens_without_a_mesh(void **state)
 	assert_all(RED);
 }
 
+static uint32_t depth_of(struct fixture *f, int x, int y)
+{
+	const struct accel_rectangle pixel = { x, y, 1, 1 };
+	uint32_t depth;
+
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_DEPTH, &pixel, &depth, 4), 0);
+	return depth;
+}
+
+static void a_plane_that_is_discarded_is_not_stored(void **state)
+{
+	static const struct accel_clear near = ACCEL_CLEAR(.mask = ACCEL_CLEAR_DEPTH,
+							   .depth = 0.125f);
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+	uint32_t before;
+
+	assert_int_equal(draw_begin(f->draw, f->target, black, 0.75f), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	before = depth_of(f, 50, 50);
+	assert_true(before);
+	accel_state_set_depth(f->state, ACCEL_COMPARE_ALWAYS, true);
+	/* What was drawn is there, and depth as it was. */
+	assert_int_equal(draw_begin(f->draw, f->target, black, 1), 0);
+	assert_int_equal(accel_draw_discard(f->draw, ACCEL_CLEAR_DEPTH), 0);
+	assert_int_equal(mesh_draw(f, &mesh), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels, SIDE * 4),
+			 0);
+	assert_all(WHITE);
+	assert_int_equal(depth_of(f, 50, 50), before);
+	/* Nothing is left of a clear; and of the next frame all is. */
+	assert_int_equal(accel_draw_begin(f->draw, f->target, &near), 0);
+	assert_int_equal(accel_draw_discard(f->draw, ACCEL_CLEAR_DEPTH), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(stats_of(f).tiles, 0);
+	assert_int_equal(depth_of(f, 50, 50), before);
+	assert_int_equal(accel_draw_begin(f->draw, f->target, &near), 0);
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(stats_of(f).tiles, 4);
+	assert_true(depth_of(f, 50, 50) < before);
+}
+
+static void what_is_discarded_is_drawn_with_all_the_same(void **state)
+{
+	struct fixture *f = *state;
+	struct accel_mesh mesh = square_mesh();
+
+	/* The square is at 0.5: in front of what depth was cleared to, and then behind. */
+	for (int behind = 0; behind < 2; behind++) {
+		assert_int_equal(draw_begin(f->draw, f->target, black, behind ? 0.25f : 0.75f), 0);
+		accel_state_set_depth(f->state, ACCEL_COMPARE_LESS, true);
+		assert_int_equal(mesh_draw(f, &mesh), 0);
+		assert_int_equal(accel_draw_discard(f->draw, ACCEL_CLEAR_DEPTH), 0);
+		assert_int_equal(accel_draw_finish(f->draw), 0);
+		assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels,
+						   SIDE * 4),
+				 0);
+		assert_all(behind ? 0 : WHITE);
+	}
+}
+
+static void a_discard_of_no_plane_or_without_a_frame_is_refused(void **state)
+{
+	struct fixture *f = *state;
+
+	assert_int_equal(accel_draw_discard(f->draw, 0), -EINVAL);
+	assert_message(&f->messages, "a discard of the planes 0");
+	assert_int_equal(accel_draw_discard(f->draw, 4), -EINVAL);
+	assert_message(&f->messages, "a discard of the planes 0x4");
+	assert_int_equal(accel_draw_finish(f->draw), 0);
+	assert_int_equal(accel_draw_discard(f->draw, ACCEL_CLEAR_DEPTH), -EINVAL);
+	assert_message(&f->messages, "a discard without a frame");
+}
+
 static void counts_are_those_of_the_frame(void **state)
 {
 	struct fixture *f = *state;
@@ -159,6 +234,9 @@ int main(void)
 		square_test(a_target_of_another_device_is_refused),
 		square_test(a_frame_without_anything_is_sent_and_does_nothing),
 		square_test(a_clear_happens_without_a_mesh),
+		square_test(a_plane_that_is_discarded_is_not_stored),
+		square_test(what_is_discarded_is_drawn_with_all_the_same),
+		square_test(a_discard_of_no_plane_or_without_a_frame_is_refused),
 		square_test(counts_are_those_of_the_frame),
 		square_test(a_triangle_that_clipping_leaves_nothing_of_counts_as_culled_once),
 		square_test(a_target_may_go_before_its_frame_is_sent),

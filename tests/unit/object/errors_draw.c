@@ -90,6 +90,11 @@ static int clear_before_a_frame(void)
 	return accel_draw_clear(test.draw, &depth);
 }
 
+static int discard_before_a_frame(void)
+{
+	return accel_draw_discard(test.draw, ACCEL_CLEAR_DEPTH);
+}
+
 static int clear_of_a_later_version(void)
 {
 	assert_int_equal(begin_and(NULL), 0);
@@ -165,6 +170,7 @@ const struct reached errors_draw[] = {
 	{ "accel_draw_begin", -EINVAL, begin_with_a_clear_of_what_is_not_there },
 	{ "accel_draw_begin", -E2BIG, begin_with_a_clear_of_a_later_version },
 	{ "accel_draw_clear", -EINVAL, clear_before_a_frame },
+	{ "accel_draw_discard", -EINVAL, discard_before_a_frame },
 	{ "accel_draw_clear", -E2BIG, clear_of_a_later_version },
 	{ "accel_draw_mesh", -EINVAL, mesh_without_positions },
 	{ "accel_draw_mesh", -E2BIG, mesh_of_a_later_version },
