@@ -6,7 +6,9 @@
 
 static void clear(const struct model *model, uint32_t *pixels, uint32_t value)
 {
-	for (int n = 0; n < model->tile_size * model->tile_size; n++)
+	const int count = model->tile_size * model->tile_size; /* which @pixels might be part of */
+
+	for (int n = 0; n < count; n++)
 		pixels[n] = value;
 }
 
