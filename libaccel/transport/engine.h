@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * A board inside this process: its memory, and a thread that runs jobs one
- * after the other. transport_model.c and transport_sim.c differ in what runs a
+ * after the other. transport/model.c and transport/sim.c differ in what runs a
  * job; the rest of struct accel_transport_ops is here.
  */
 #ifndef ACCEL_ENGINE_H
