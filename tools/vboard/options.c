@@ -42,7 +42,7 @@ enum vboard_exit vboard_options_board(struct vboard_options_board *board, const 
 	struct accel_transport_error error = { "" };
 	size_t owned;
 
-	for (owned = 0; own[owned].name && owned < VBOARD_OPTIONS; owned++) {
+	for (owned = 0; owned < VBOARD_OPTIONS && own[owned].name; owned++) {
 		number[owned] = *own[owned].value;
 		list[OPTIONS_COMMON + owned] = (struct accel_option){
 			own[owned].name, 0, own[owned].max, 1, &number[owned],
