@@ -12,7 +12,7 @@ struct scene {
 	float modelview[16], projection[16];
 	enum accel_cull cull;
 	bool two_sided, local_viewer;
-	bool painted; /* the mesh's colours are the material's, if it has them */
+	bool painted;     /* the mesh's colours are the material's, if it has them */
 	bool keeps_depth; /* which is read then; else only its colours are */
 	float background[4];
 	float ambient[4];
