@@ -42,7 +42,6 @@ static void random_convex(float quad[4][3])
 static void add_cover(struct fixture *f, const float quad[4][3], const uint32_t index[3],
 		      uint8_t *count)
 {
-	f->scene.keeps_depth = true;
 	f->scene.mesh.position.data = quad;
 	f->scene.mesh.index = index;
 	f->scene.mesh.indices = 3;
@@ -102,6 +101,7 @@ static void compare_with_library(struct board *board, struct fixture *f, struct 
 {
 	static uint32_t colour[SIZE * SIZE], depth[SIZE * SIZE];
 
+	f->scene.keeps_depth = true;
 	assert_int_equal(phong_draw(&f->scene, &f->frame), 0);
 	assert_int_equal(scene_draw(&f->scene, ACCEL_SHADING_GOURAUD, board->draw, board->target,
 				    NULL),
