@@ -107,7 +107,6 @@ static int open_pictures(struct view *view)
 	if (in_parts(options) &&
 	    picture_new(at_most(options->width), at_most(options->height), &view->part))
 		return failed("out of memory", "picture", -ENOMEM);
-	view->scene.keeps_depth = depth;
 	if (depth)
 		view->depth = malloc(pixels * sizeof(*view->depth));
 	return depth && !view->depth ? failed("out of memory", "picture", -ENOMEM) : VIEW_OK;
@@ -237,6 +236,7 @@ static int draw_part(struct view *view, enum accel_shading shading, struct pictu
 	struct accel_draw_stats stats;
 	int ret;
 
+	view->scene.keeps_depth = view->depth;
 	ret = scene_draw(&view->scene, shading, view->draw, view->target, &stats);
 	if (!ret)
 		ret = read_part(view, picture->pixel, ACCEL_PLANE_COLOUR);
