@@ -67,9 +67,11 @@ static void a_dead_board_fails_its_jobs(void **state)
 
 	(void)state;
 	vm_expect("gloss |pci");
-	pair_arm(VBOARD_FAULT_DIE, 3);
+	/* So slow that all are queued before it dies: afterwards none are taken. */
+	pair_arm(VBOARD_FAULT_SLOW, 400000);
 	mine = queue_fences(&client);
 	others = queue_fences(&other);
+	pair_arm(VBOARD_FAULT_DIE, 3);
 	assert_in_range(count_from(&mine, -ENODEV) + count_from(&others, -ENODEV), 1,
 			2 * CLIENT_QUEUE - 2);
 	client_prepare(&client, &job, 0, 0);
