@@ -94,8 +94,11 @@ static void gloss_clear_put_stream(struct gloss_device *gdev, __le32 *to)
 
 static void gloss_clear_fini(struct drm_device *drm, void *data)
 {
-	struct gloss_clear *clear = &to_gloss_device(drm)->clear;
+	struct gloss_device *gdev = to_gloss_device(drm);
+	struct gloss_clear *clear = &gdev->clear;
 
+	/* The board has gone, so all end by themselves. Those of the entity use it to the last. */
+	wait_event(gdev->jobs_wait, !atomic_read(&gdev->jobs));
 	drm_sched_entity_destroy(&clear->entity);
 	mutex_destroy(&clear->lock);
 	mutex_destroy(&clear->queue_lock);
@@ -104,10 +107,32 @@ static void gloss_clear_fini(struct drm_device *drm, void *data)
 static int gloss_clear_init_entity(struct gloss_device *gdev)
 {
 	struct drm_gpu_scheduler *sched = &gdev->sched;
-	int ret;
 
-	ret = drm_sched_entity_init(&gdev->clear.entity, DRM_SCHED_PRIORITY_KERNEL, &sched, 1,
-				    NULL);
+	return drm_sched_entity_init(&gdev->clear.entity, DRM_SCHED_PRIORITY_KERNEL, &sched, 1,
+				     NULL);
+}
+
+/*
+ * A job of the driver's own has ended. An entity keeps its last job's fence, and that the module;
+ * so that the module can be unloaded, the entity goes with the last job, and is made anew.
+ */
+void gloss_clear_ended(struct gloss_device *gdev)
+{
+	struct gloss_clear *clear = &gdev->clear;
+
+	mutex_lock(&clear->queue_lock);
+	if (!--clear->jobs) {
+		drm_sched_entity_destroy(&clear->entity);
+		/* It can not fail: there is a scheduler, as the first time. */
+		gloss_clear_init_entity(gdev);
+	}
+	mutex_unlock(&clear->queue_lock);
+}
+
+static int gloss_clear_init_queue(struct gloss_device *gdev)
+{
+	int ret = gloss_clear_init_entity(gdev);
+
 	if (ret)
 		return ret;
 
@@ -130,7 +155,7 @@ int gloss_clear_init(struct gloss_device *gdev)
 	for (i = 0; i < ARRAY_SIZE(shared->list); i++)
 		shared->list[i] = cpu_to_le64(address + i * GLOSS_PAGE_BYTES);
 	gdev->clear.list_address = address + offsetof(struct gloss_clear_shared, list);
-	return gloss_clear_init_entity(gdev);
+	return gloss_clear_init_queue(gdev);
 }
 
 static int gloss_clear_push(struct gloss_job *job)
@@ -178,6 +203,8 @@ static int gloss_clear_tiles(struct gloss_board_object *board, u64 offset, u32 t
 	ret = gloss_clear_push(job);
 	if (ret)
 		gloss_job_free(job);
+	else if (!file)
+		gdev->clear.jobs++;
 	return ret;
 }
 

@@ -65,7 +65,8 @@ struct gloss_clear {
 	dma_addr_t list_address;
 	struct mutex queue_lock;	/* an object's clearing is queued once */
 	struct mutex lock;		/* keeps the entity's jobs in order */
-	struct drm_sched_entity entity;
+	struct drm_sched_entity entity;	/* of the driver's own jobs */
+	unsigned int jobs;		/* of these, that exist; under @queue_lock */
 };
 
 /*
@@ -192,5 +193,6 @@ void gloss_clear_again(struct gloss_board_object *board);
 bool gloss_clear_missing(struct gloss_board_object *board);
 void gloss_clear_begun(const struct gloss_job *job);
 void gloss_clear_failed(const struct gloss_job *job);
+void gloss_clear_ended(struct gloss_device *gdev);
 
 #endif

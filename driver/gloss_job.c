@@ -317,5 +317,9 @@ void gloss_job_free(struct gloss_job *job)
 
 void gloss_job_free_work(struct work_struct *work)
 {
-	gloss_job_free(container_of(work, struct gloss_job, free));
+	struct gloss_job *job = container_of(work, struct gloss_job, free);
+
+	if (!job->file)
+		gloss_clear_ended(job->gdev);
+	gloss_job_free(job);
 }

@@ -87,6 +87,32 @@ static void a_board_without_power_meanwhile_wakes_up(void **state)
 	assert_int_equal(other.response[0], 0);
 }
 
+static long module_users(void)
+{
+	char text[32] = "";
+	int fd = open("/sys/module/gloss/refcnt", O_RDONLY | O_CLOEXEC);
+
+	assert_in_range(fd, 0, 1 << 20);
+	assert_in_range(read(fd, text, sizeof(text) - 1), 1, sizeof(text) - 1);
+	close(fd);
+	return strtol(text, NULL, 10);
+}
+
+/* The driver's own jobs, which clear memory after a sleep, hold it no longer than they take. */
+static void after_a_sleep_nothing_holds_the_module(void **state)
+{
+	(void)state;
+	sleep_and_wake(false);
+	assert_true(client_works(&client));
+	assert_int_not_equal(module_users(), 0);
+	client_close(&client);
+	client_close(&other);
+	for (int ms = 0; module_users(); ms += 10) {
+		assert_in_range(ms, 0, vm_patience_ms());
+		usleep(10 * 1000);
+	}
+}
+
 static void bind_with_msi(const char *allowed)
 {
 	client_close(&client);
@@ -139,6 +165,7 @@ int main(void)
 		pair_test(a_reset_of_the_function_loses_no_job),
 		pair_test(an_error_of_the_bus_loses_no_job),
 		pair_test(a_board_without_power_meanwhile_wakes_up),
+		pair_test(after_a_sleep_nothing_holds_the_module),
 	};
 
 	return cmocka_run_group_tests(tests, pair_setup, pair_teardown);
