@@ -94,13 +94,14 @@ static size_t stream_place(const struct accel_stream *stream, const uint32_t *wo
 static void *stream_grow(void *array, size_t size, size_t *room, size_t first, size_t count)
 {
 	size_t larger = *room ? *room : first;
+	void *grown;
 
 	while (larger < count)
 		larger *= 2;
-	array = realloc(array, larger * size);
-	if (array)
+	grown = realloc(array, larger * size);
+	if (grown)
 		*room = larger;
-	return array;
+	return grown;
 }
 
 /* Room for @count words in all. */
