@@ -175,7 +175,7 @@ static enum vboard_exit serve_begin(const struct vboard_serve_ops *ops, void *co
 static enum vboard_exit serve_boards(const struct vboard_serve_ops *ops,
 				     const struct vboard_options *options)
 {
-	void *boards[VBOARD_BOARDS];
+	void *boards[VBOARD_BOARDS] = { NULL };
 	enum vboard_exit ret = VBOARD_FAILED;
 	unsigned int opened;
 
