@@ -98,13 +98,13 @@ module shade_plane #(
 `ifndef SYNTHESIS
   logic [3*Width-1:0] plane_q;  // a clock ago
   logic               held_q;
-  logic [2:0]         clocked = '0;  // without a reset, registers hold anything for three clocks
+  logic [4:0]         clocked = '0;  // anything for two clocks, then for three more here
 
   always_ff @(posedge clk_i) begin
     plane_q <= {origin_i, dx_i, dy_i};
     held_q <= plane_q == {origin_i, dx_i, dy_i};
-    clocked <= {clocked[1:0], 1'b1};
-    if (clocked[2]) begin
+    clocked <= {clocked[3:0], 1'b1};
+    if (clocked[4]) begin
       plane_stays: assert (!clear || (plane_q == {origin_i, dx_i, dy_i} && held_q));
     end
   end

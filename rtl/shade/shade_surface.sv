@@ -184,15 +184,15 @@ module shade_surface #(
 `ifndef SYNTHESIS
   gloss_pkg::surface_t surface_q;  // a clock ago
   logic                value_load, value_held_q;
-  logic [2:0]          clocked = '0;  // without a reset, registers hold anything for three clocks
+  logic [4:0]          clocked = '0;  // anything for two clocks, then for three more here
 
   assign value_load = value_en_q && value_move_q == gloss_pkg::MOVE_LOAD;
 
   always_ff @(posedge clk_i) begin
     surface_q <= surface_i;
     value_held_q <= surface_q.i == surface_i.i;
-    clocked <= {clocked[1:0], 1'b1};
-    if (clocked[2]) begin
+    clocked <= {clocked[3:0], 1'b1};
+    if (clocked[4]) begin
       slopes_stay: assert (!slope_clear ||
           {surface_q.dx, surface_q.dy, surface_q.dxx, surface_q.dxy, surface_q.dyy} ==
           {surface_i.dx, surface_i.dy, surface_i.dxx, surface_i.dxy, surface_i.dyy});
