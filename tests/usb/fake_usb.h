@@ -148,11 +148,11 @@ void fake_usb_release(void);
 uint8_t *fake_usb_memory(unsigned int board);
 
 /*
- * Time. It passes, slower than outside; but when a fault has come, and until the next CONTROL.reset,
- * it leaps to the next moment that anybody waits for, as soon as all threads of this process sleep:
- * so time-outs take no time, and a busy machine makes no difference. Who sleeps here, by
- * nanosleep, usleep or fake_usb_rest(), lets time leap, too. The linker puts the first two,
- * clock_gettime and pthread_cond_timedwait here.
+ * Time. It passes, slower than outside, and leaps to the next moment that anybody waits for as soon
+ * as all threads of this process sleep: so time-outs take no time, and a busy machine makes no
+ * difference. While the boards are held it leaps only for who sleeps here, by nanosleep, usleep or
+ * fake_usb_rest(). The linker puts the first two, clock_gettime, pthread_cond_timedwait and
+ * pthread_cond_clockwait here.
  */
 void fake_usb_rest(unsigned int ms);
 int64_t fake_usb_now_ns(void);

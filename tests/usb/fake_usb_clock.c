@@ -39,7 +39,7 @@ int __wrap_usleep(useconds_t us);
 struct sleeper {
 	struct sleeper *next, **link;
 	int64_t until;
-	bool leaps; /* time leaps for it even if nothing is wrong */
+	bool leaps; /* time leaps for it though the boards are held */
 	pthread_cond_t *cond;
 };
 

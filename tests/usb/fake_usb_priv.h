@@ -133,8 +133,8 @@ int fake_call(const char *function);
 void fake_clock_start(void);
 void fake_clock_stop(void);
 /*
- * Waits for @cond, until @deadline or @due, whichever is first. Once all sleep, time leaps to
- * @due (INT64_MAX: nothing is); to a deadline only in a hurry.
+ * Waits for @cond, until @deadline or @due (INT64_MAX: nothing is), whichever is first. Once all
+ * sleep, time leaps to the first moment that anybody waits for; if the boards are held, for @due alone.
  */
 void fake_clock_wait(pthread_cond_t *cond, pthread_mutex_t *mutex, int64_t deadline, int64_t due);
 /* Time does not leap while the boards are held, but for who sleeps. */
