@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 /* Slots of board memory, and the response buffer. */
-#include <endian.h>
 #include <string.h>
 
 #include "model.h"
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+	       "words lie in board memory, which is little-endian, as in the host's");
 
 bool model_memory_allows(const struct model *model, unsigned int slot, enum gloss_rights right,
 			 uint32_t offset, uint32_t bytes)
@@ -13,29 +15,18 @@ bool model_memory_allows(const struct model *model, unsigned int slot, enum glos
 	return (s->rights & right) && (uint64_t)offset + bytes <= s->size;
 }
 
-/* Board memory is little-endian, words are the host's. */
 void model_memory_read(const struct model *model, unsigned int slot, uint32_t offset,
 		       uint32_t *words, uint32_t count)
 {
-	const uint8_t *from = model->memory + model->job->slot[slot].base + offset;
-	uint32_t word;
-
-	for (uint32_t n = 0; n < count; n++) {
-		memcpy(&word, from + 4 * (size_t)n, sizeof(word));
-		words[n] = le32toh(word);
-	}
+	memcpy(words, model->memory + model->job->slot[slot].base + offset,
+	       sizeof(*words) * (size_t)count);
 }
 
 void model_memory_write(struct model *model, unsigned int slot, uint32_t offset,
 			const uint32_t *words, uint32_t count)
 {
-	uint8_t *to = model->memory + model->job->slot[slot].base + offset;
-	uint32_t word;
-
-	for (uint32_t n = 0; n < count; n++) {
-		word = htole32(words[n]);
-		memcpy(to + 4 * (size_t)n, &word, sizeof(word));
-	}
+	memcpy(model->memory + model->job->slot[slot].base + offset, words,
+	       sizeof(*words) * (size_t)count);
 }
 
 uint32_t *model_memory_answer(struct model *model, uint32_t count)

@@ -2,8 +2,9 @@
 /* The pixels of the open tile, and their way from and to surfaces. */
 #include <string.h>
 
-#include "model.h"
+#include "lanes.h"
 
+MODEL_CLONES
 static void clear(const struct model *model, uint32_t *pixels, uint32_t value)
 {
 	const int count = model->tile_size * model->tile_size; /* which @pixels might be part of */
