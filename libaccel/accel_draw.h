@@ -262,7 +262,7 @@ struct accel_draw_stats {
 	uint64_t split;                      /* triangles that were split */
 	uint64_t records;                    /* TRIANGLE packets: a triangle in a tile */
 	uint64_t stream_words;
-	uint64_t tiles;
+	uint64_t tiles; /* that the frame took: not those in which it changes nothing */
 };
 
 /* A draw collects one frame at a time, and keeps the memory that this took for the next. */

@@ -49,6 +49,7 @@ struct accel_buffer {
 	uint64_t size;   /* bytes */
 	atomic_uint references;
 	_Atomic uint64_t busy;     /* the last detached job that uses it; 0: none has */
+	_Atomic uint64_t written;  /* jobs so far that may write it */
 	struct accel_buffer *next; /* of those freed */
 };
 
@@ -58,7 +59,10 @@ struct accel_target {
 	uint32_t pitch;    /* bytes from a row to the next, of both surfaces */
 	uint32_t rows;     /* height padded to ACCEL_TARGET_ALIGN */
 	struct accel_buffer *colour, *depth;
+	struct accel_content *content; /* what is known of its tiles, may be NULL */
 };
+
+enum accel_outcome_state { ACCEL_OUTCOME_PENDING, ACCEL_OUTCOME_DONE, ACCEL_OUTCOME_FAILED };
 
 struct accel_state {
 	float modelview[16], projection[16];
@@ -140,6 +144,12 @@ void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
 void accel_fence_give(struct accel_fence *fence, struct accel_fence **out);
 /* Waits for @fence and frees it. */
 int accel_fence_finish(struct accel_fence *fence);
+/* What became of jobs, for who looks without waiting. NULL: out of memory. */
+struct accel_outcome *accel_outcome_new(void);
+void accel_outcome_unref(struct accel_outcome *outcome);
+enum accel_outcome_state accel_outcome_look(const struct accel_outcome *outcome);
+/* It is pending until the fence's jobs, all of which were added, are known to have ended. */
+void accel_fence_tell(struct accel_fence *fence, struct accel_outcome *outcome);
 void accel_fence_detached_init(struct accel_detached *detached);
 void accel_fence_detached_fini(struct accel_detached *detached);
 /* Frees the fences whose jobs have ended. Does not wait. */

@@ -14,6 +14,11 @@ struct fence_job {
 	unsigned int buffers;
 };
 
+struct accel_outcome {
+	atomic_uint references;
+	_Atomic enum accel_outcome_state state;
+};
+
 struct accel_fence {
 	struct accel_device *device;      /* a reference, until it is detached */
 	struct accel_fence *next;         /* of those detached */
@@ -22,6 +27,7 @@ struct accel_fence {
 	uint64_t sequence;                /* of the last of its jobs */
 	int result;                       /* of the first job that failed, or else of the last */
 	struct accel_fence_status status; /* likewise */
+	struct accel_outcome *outcome;    /* to be told, a reference; may be NULL */
 };
 
 struct accel_fence *accel_fence_new(struct accel_device *device)
@@ -56,6 +62,46 @@ void accel_fence_add(struct accel_fence *fence, uint64_t sequence,
 	*fence->last = job;
 	fence->last = &job->next;
 	fence->sequence = sequence;
+}
+
+/* ---- what became of jobs ---- */
+
+struct accel_outcome *accel_outcome_new(void)
+{
+	struct accel_outcome *outcome = calloc(1, sizeof(*outcome));
+
+	if (outcome)
+		outcome->references = 1;
+	return outcome;
+}
+
+void accel_outcome_unref(struct accel_outcome *outcome)
+{
+	if (outcome && atomic_fetch_sub(&outcome->references, 1) == 1)
+		free(outcome);
+}
+
+enum accel_outcome_state accel_outcome_look(const struct accel_outcome *outcome)
+{
+	return atomic_load(&outcome->state);
+}
+
+void accel_fence_tell(struct accel_fence *fence, struct accel_outcome *outcome)
+{
+	atomic_store(&outcome->state, ACCEL_OUTCOME_PENDING);
+	atomic_fetch_add(&outcome->references, 1);
+	fence->outcome = outcome;
+}
+
+/* When all jobs have ended. */
+static void fence_tell(struct accel_fence *fence)
+{
+	if (!fence->outcome)
+		return;
+	atomic_store(&fence->outcome->state,
+		     fence->result ? ACCEL_OUTCOME_FAILED : ACCEL_OUTCOME_DONE);
+	accel_outcome_unref(fence->outcome);
+	fence->outcome = NULL;
 }
 
 static const char *fence_fault_text(enum gloss_fault fault)
@@ -153,6 +199,7 @@ int accel_fence_wait(struct accel_fence *fence, int64_t timeout_ns,
 			return err;
 		left = fence_left(timeout_ns, start);
 	}
+	fence_tell(fence);
 	if (status)
 		accel_sized_out(status, size, &fence->status, sizeof(fence->status));
 	return fence->result;
@@ -185,6 +232,7 @@ static void fence_forget(struct accel_fence *fence)
 
 	while (fence->first)
 		fence_end(fence, -ENODEV, &unknown);
+	fence_tell(fence);
 }
 
 void accel_fence_free(struct accel_fence *fence)

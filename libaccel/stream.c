@@ -256,6 +256,14 @@ const uint32_t *accel_stream_words(const struct accel_stream *stream, size_t *co
 	return stream->words;
 }
 
+/* What a job may write is no longer what it was. */
+static void stream_count_writes(const struct accel_stream *stream)
+{
+	for (unsigned int i = 0; i < stream->slots; i++)
+		if (stream->rights[i] & ACCEL_SLOT_WRITE)
+			atomic_fetch_add(&stream->buffer[i]->written, 1);
+}
+
 static int stream_start(struct accel_stream *stream, uint32_t *response, uint32_t response_words,
 			uint64_t *sequence)
 {
@@ -322,6 +330,7 @@ int accel_stream_send(struct accel_stream *stream, uint32_t *response, uint32_t 
 				     accel_device_why(stream->device, err));
 		return err;
 	}
+	stream_count_writes(stream);
 	accel_fence_add(fence, sequence, stream->buffer, stream->slots);
 	stream_empty(stream);
 	return 0;

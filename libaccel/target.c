@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "accel_priv.h"
+#include "draw/content.h"
 
 /* Words that are read by one job: at least a row. */
 #define READ_WORDS 65536u
@@ -30,6 +30,7 @@ int accel_target_new(struct accel_device *device, int width, int height, struct 
 	if (!target)
 		return -ENOMEM;
 	*target = (struct accel_target){
+		.device = device,
 		.width = width,
 		.height = height,
 		.pitch = target_align(width) * 4,
@@ -42,10 +43,15 @@ int accel_target_new(struct accel_device *device, int width, int height, struct 
 	err = accel_buffer_new(device, size, &target->depth);
 	if (err)
 		goto err_free_colour;
-	target->device = accel_device_ref(device);
+	err = accel_content_new(target, &target->content);
+	if (err)
+		goto err_free_depth;
+	accel_device_ref(device);
 	*out = target;
 	return 0;
 
+err_free_depth:
+	accel_buffer_free(target->depth);
 err_free_colour:
 	accel_buffer_free(target->colour);
 err_free:
@@ -57,6 +63,7 @@ void accel_target_free(struct accel_target *target)
 {
 	if (!target)
 		return;
+	accel_content_unref(target->content);
 	accel_buffer_free(target->depth);
 	accel_buffer_free(target->colour);
 	accel_device_unref(target->device);

@@ -4,13 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "draw/bin.h"
+#include "draw/content.h"
 
 struct accel_draw {
 	struct accel_device *device;
 	struct accel_stream *stream;
 	struct accel_bin bin;
-	struct accel_target target;    /* of this frame, its buffers a reference each */
+	struct accel_target target;    /* of this frame, a reference to each of its parts */
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
 	struct accel_vertex *vertex;   /* scratch, kept from mesh to mesh */
@@ -53,6 +53,7 @@ static void draw_frame_empty(struct accel_draw *draw)
 	if (draw->has_target) {
 		accel_buffer_unref(draw->target.colour);
 		accel_buffer_unref(draw->target.depth);
+		accel_content_unref(draw->target.content);
 	}
 	draw->has_target = false;
 }
@@ -164,6 +165,7 @@ int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
 	/* The reference to the target first, as the frame before may have the only one. */
 	accel_buffer_ref(target->colour);
 	accel_buffer_ref(target->depth);
+	accel_content_ref(target->content);
 	draw_frame_lose(draw);
 	draw->target = *target;
 	draw->has_target = true;

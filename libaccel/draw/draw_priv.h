@@ -16,6 +16,7 @@
  *   setup.c      edges in remainder form: which pixels of which rows
  *   record.c     one TRIANGLE packet
  *   bin.c        records by tile (bin.h)
+ *   content.c    what the target's tiles are known to hold (content.h)
  *   frame.c      the frame's command stream
  *   number.h     smaller, larger, between
  *

@@ -2,7 +2,7 @@
 /* The frame's command stream: tile after tile, in as few jobs as there may be. */
 #include <errno.h>
 
-#include "draw/bin.h"
+#include "draw/content.h"
 
 /* Words of a job before its first tile, and of a tile beside its records: begin, state, end. */
 #define JOB_WORDS 4
@@ -12,11 +12,12 @@ struct writer {
 	const struct accel_bin *bin;
 	struct accel_stream *stream;
 	const struct accel_target *target;
-	struct accel_tile_state now;  /* as the core has it at this place of the stream */
-	size_t words;                 /* of this job */
-	uint64_t words_before, tiles; /* of the jobs before; of all */
-	struct accel_fence *fence;    /* of all its jobs */
-	bool sent;                    /* a job is on the board */
+	const struct accel_content *content; /* what is known of the target; may be NULL */
+	struct accel_tile_state now;         /* as the core has it at this place of the stream */
+	size_t words;                        /* of this job */
+	uint64_t words_before, tiles;        /* of the jobs before; of all */
+	struct accel_fence *fence;           /* of all its jobs */
+	unsigned int jobs;                   /* on the board */
 };
 
 static int frame_put(struct writer *writer, const uint32_t *words, uint32_t count)
@@ -72,9 +73,9 @@ struct part {
 	uint32_t end; /* offset to store to */
 };
 
-/* @mask: the plane, of ACCEL_CLEAR_*. */
-static struct part frame_part_of(const struct accel_bin *bin, const struct accel_tile_clear *clear,
-				 unsigned int mask, uint32_t value, bool uses, bool writes,
+/* @mask: the plane, and @drop: those that need not be stored, of ACCEL_CLEAR_*. */
+static struct part frame_part_of(const struct accel_tile_clear *clear, unsigned int mask,
+				 uint32_t value, bool uses, bool writes, unsigned int drop,
 				 uint32_t offset)
 {
 	struct part part = { .output = GLOSS_TILE_OUTPUT_DROP };
@@ -85,7 +86,7 @@ static struct part frame_part_of(const struct accel_bin *bin, const struct accel
 		part.load = true;
 		part.begin = offset;
 	}
-	if ((clear->mask & mask || writes) && !(bin->discard & mask)) {
+	if ((clear->mask & mask || writes) && !(drop & mask)) {
 		part.output = GLOSS_TILE_OUTPUT_STORE;
 		part.end = offset;
 	}
@@ -106,13 +107,14 @@ static int frame_tile_records(struct writer *writer, const struct accel_tile *ti
 }
 
 /* A tile that nothing was drawn on is only cleared. */
-static int frame_tile_write(struct writer *writer, const struct accel_tile *tile, uint32_t offset)
+static int frame_tile_write(struct writer *writer, const struct accel_tile *tile, unsigned int drop,
+			    uint32_t offset)
 {
 	const struct accel_tile_clear *clear = tile->drawn ? &tile->clear : &writer->bin->clear;
-	struct part colour = frame_part_of(writer->bin, clear, ACCEL_CLEAR_COLOUR, clear->colour,
-					   tile->uses_colour, tile->uses_colour, offset);
-	struct part depth = frame_part_of(writer->bin, clear, ACCEL_CLEAR_DEPTH, clear->depth,
-					  tile->uses_depth, tile->writes_depth, offset);
+	struct part colour = frame_part_of(clear, ACCEL_CLEAR_COLOUR, clear->colour,
+					   tile->uses_colour, tile->uses_colour, drop, offset);
+	struct part depth = frame_part_of(clear, ACCEL_CLEAR_DEPTH, clear->depth, tile->uses_depth,
+					  tile->writes_depth, drop, offset);
 	uint32_t words[1 + GLOSS_TILE_BEGIN_WORDS];
 	int err;
 
@@ -134,7 +136,7 @@ static int frame_job_end(struct writer *writer)
 
 	if (err)
 		return err;
-	writer->sent = true;
+	writer->jobs++;
 	writer->words_before += writer->words;
 	writer->words = 0;
 	return 0;
@@ -146,13 +148,23 @@ static bool frame_job_full(const struct writer *writer, const struct accel_tile 
 	return writer->words > JOB_WORDS && writer->words + tile->words + TILE_WORDS > job_words;
 }
 
-/* Of what is discarded nothing is left. */
-static bool frame_tile_leaves(const struct accel_bin *bin, const struct accel_tile *tile)
+/* Planes of tile number @i that need not be stored: nobody reads them, or they are there. */
+static unsigned int frame_tile_drops(const struct writer *writer, int i)
+{
+	const struct accel_bin *bin = writer->bin;
+
+	if (!writer->content || bin->tile[i].drawn)
+		return bin->discard;
+	return bin->discard | accel_content_holds(writer->content, i, &bin->clear);
+}
+
+static bool frame_tile_leaves(const struct accel_bin *bin, const struct accel_tile *tile,
+			      unsigned int drop)
 {
 	unsigned int planes = tile->drawn ? ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH :
 					    bin->clear.mask;
 
-	return planes & ~bin->discard;
+	return planes & ~drop;
 }
 
 static int frame_tiles_write(struct writer *writer, size_t job_words)
@@ -164,8 +176,9 @@ static int frame_tiles_write(struct writer *writer, size_t job_words)
 		const struct accel_tile *tile = &bin->tile[i];
 		uint32_t x = (uint32_t)(i % bin->columns * bin->tile_size);
 		uint32_t y = (uint32_t)(i / bin->columns * bin->tile_size);
+		unsigned int drop = frame_tile_drops(writer, i);
 
-		if (!frame_tile_leaves(bin, tile))
+		if (!frame_tile_leaves(bin, tile, drop))
 			continue;
 		writer->tiles++;
 		if (frame_job_full(writer, tile, job_words)) {
@@ -174,7 +187,8 @@ static int frame_tiles_write(struct writer *writer, size_t job_words)
 				err = frame_job_begin(writer);
 		}
 		if (!err)
-			err = frame_tile_write(writer, tile, y * writer->target->pitch + x * 4);
+			err = frame_tile_write(writer, tile, drop,
+					       y * writer->target->pitch + x * 4);
 	}
 	return err;
 }
@@ -184,12 +198,27 @@ static int frame_fail(struct writer *writer, int err, bool *sent)
 {
 	accel_stream_reset(writer->stream);
 	accel_fence_free(writer->fence);
-	*sent = writer->sent;
-	if (!writer->sent || err != -ENOMEM)
+	*sent = writer->jobs > 0;
+	if (!writer->jobs || err != -ENOMEM)
 		return err;
 	accel_device_message(writer->target->device,
 			     "a part of the frame was drawn, there is no memory for the rest");
 	return -EIO;
+}
+
+static int frame_write(struct writer *writer, size_t job_words)
+{
+	struct accel_content *content = accel_content_begin(writer->target);
+	int err = 0;
+
+	writer->content = content;
+	if (writer->bin->columns)
+		err = frame_tiles_write(writer, job_words);
+	if (!err)
+		err = frame_job_end(writer);
+	if (content)
+		accel_content_end(content, writer->bin, err ? NULL : writer->fence, writer->jobs);
+	return err;
 }
 
 int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
@@ -197,16 +226,13 @@ int accel_frame_submit(const struct accel_bin *bin, struct accel_stream *stream,
 		       struct accel_draw_stats *stats, struct accel_fence **fence, bool *sent)
 {
 	struct writer writer = { .bin = bin, .stream = stream, .target = target };
-	int err = 0;
+	int err;
 
 	*sent = false;
 	writer.fence = accel_fence_new(accel_stream_device(stream));
 	if (!writer.fence)
 		return -ENOMEM;
-	if (bin->columns)
-		err = frame_tiles_write(&writer, job_words);
-	if (!err)
-		err = frame_job_end(&writer);
+	err = frame_write(&writer, job_words);
 	if (err)
 		return frame_fail(&writer, err, sent);
 	*fence = writer.fence;

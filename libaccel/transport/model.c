@@ -81,6 +81,7 @@ static void transport_model_info(void *state, struct accel_transport_info *info)
 
 const struct accel_transport_ops accel_transport_model = {
 	.scheme = "model",
+	.memory_keeps = true,
 	.open = transport_model_open,
 	.list = transport_model_list,
 	.close = transport_model_close,

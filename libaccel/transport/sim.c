@@ -211,6 +211,7 @@ static int transport_sim_clocks(void *state, struct accel_device_clocks *clocks)
 
 const struct accel_transport_ops accel_transport_sim = {
 	.scheme = "sim",
+	.memory_keeps = true,
 	.open = transport_sim_open,
 	.list = transport_sim_list,
 	.close = transport_sim_close,

@@ -13,6 +13,7 @@
 #ifndef ACCEL_TRANSPORT_H
 #define ACCEL_TRANSPORT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -66,6 +67,9 @@ void accel_transport_copy(const struct accel_transport_job *job, void *to);
 struct accel_transport_ops {
 	/* Scheme of device names, without the colon: "model". */
 	const char *scheme;
+
+	/* Board memory changes by what jobs say and by nothing else, whatever becomes of them. */
+	bool memory_keeps;
 
 	/*
 	 * Opens a board. @where is the text after the colon, "" if none.
