@@ -14,6 +14,7 @@ struct accel_draw {
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
 	struct accel_vertex *vertex;   /* scratch, kept from mesh to mesh */
+	struct accel_screen *screen;   /* as many */
 	uint32_t vertices;
 	struct accel_edge_entry *cache;
 	uint64_t passes;
@@ -74,6 +75,7 @@ void accel_draw_free(struct accel_draw *draw)
 	accel_stream_free(draw->stream);
 	accel_device_unref(draw->device);
 	free(draw->vertex);
+	free(draw->screen);
 	free(draw->cache);
 	free(draw);
 }
@@ -207,6 +209,7 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
 {
 	struct accel_vertex *vertex;
+	struct accel_screen *screen;
 	size_t size;
 
 	if (count <= draw->vertices)
@@ -217,6 +220,10 @@ static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
 	if (!vertex)
 		return -ENOMEM;
 	draw->vertex = vertex;
+	screen = realloc(draw->screen, count * sizeof(*screen));
+	if (!screen)
+		return -ENOMEM;
+	draw->screen = screen;
 	draw->vertices = count;
 	return 0;
 }
@@ -241,6 +248,7 @@ static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *stat
 	if (err)
 		return err;
 	pass.vertex = draw->vertex;
+	pass.screen = draw->screen;
 	pass.cache = draw->cache;
 	pass.number = ++draw->passes;
 	accel_geometry_init(&pass.transform, state, draw->target.width, draw->target.height);

@@ -6,6 +6,7 @@
  *   mesh.c       the triangles of a mesh, culling
  *   fetch.c      elements of a mesh's arrays
  *   geometry.c   vertices to the window, each once
+ *   kernel.c     loops over many of them (kernel.h, *_loop.h), as the processor has instructions
  *   clip.c       triangles that leave the view volume or the guard band
  *   lighting.c   colour at a point of a surface
  *   patch.c      places in the middle of edges and triangles
@@ -148,9 +149,13 @@ void accel_geometry_init(struct accel_transform *transform, const struct accel_s
 			 int width, int height);
 void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
 			       double clip[4]);
-/* All of @vertex but its sample. -EINVAL: something is not finite. */
+/* All of @vertex but its sample, unpainted. -EINVAL: something is not finite. */
 int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],
 			  const float *normal, struct accel_vertex *vertex);
+/* The same, of vertex @i in a batch that has been transformed (kernel.h). */
+struct accel_vertex_batch;
+void accel_geometry_vertex_of(const struct accel_vertex_batch *batch, int i,
+			      struct accel_vertex *vertex);
 /* Sets x, y, w, z; @clip has positive w. What is outside the guard band is moved to its border. */
 void accel_geometry_project(const struct accel_window *window, const double clip[4],
 			    struct accel_vertex *vertex);
@@ -234,6 +239,12 @@ struct accel_edge_entry {
 	struct accel_edge edge;
 };
 
+/* What is known of a vertex when triangles are culled; as in accel_vertex. */
+struct accel_screen {
+	int32_t x, y;
+	uint32_t outside;
+};
+
 struct accel_pass {
 	struct accel_device *device; /* for messages */
 	const struct accel_state *state;
@@ -244,6 +255,7 @@ struct accel_pass {
 	struct accel_transform transform;
 	struct accel_lighting lighting;
 	struct accel_vertex *vertex;    /* of the mesh */
+	struct accel_screen *screen;    /* of the same */
 	struct accel_edge_entry *cache; /* ACCEL_EDGE_CACHE of them */
 	uint64_t number;
 	struct accel_bin *bin;
@@ -257,7 +269,7 @@ struct accel_pass {
  * -EINVAL: no position array, an index out of range, or what is not drawn.
  */
 int accel_mesh_begin(struct accel_pass *pass);
-/* Fills pass->vertex. -EINVAL: something is not finite. */
+/* Fills pass->vertex and pass->screen. -EINVAL: something is not finite. */
 int accel_mesh_transform(struct accel_pass *pass);
 int accel_mesh_draw(struct accel_pass *pass);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/* Elements of a mesh's arrays, as floats, one at a time from where the program has them. */
+/* Elements of a mesh's arrays, as floats, from where the program has them. */
 #include <errno.h>
 #include <string.h>
 
-#include "draw/draw_priv.h"
+#include "draw/kernel.h"
 
 static const struct fetch_attribute {
 	const char *name;
@@ -73,4 +73,30 @@ void accel_fetch_element(const struct accel_fetch *fetch, uint32_t number, float
 	}
 	for (int i = 0; i < fetch->components; i++)
 		out[i] = (float)from[i] / 255;
+}
+
+static float fetch_number(const struct accel_fetch *fetch, const uint8_t *from)
+{
+	float number;
+
+	if (fetch->bytes)
+		return (float)*from / 255;
+	memcpy(&number, from, sizeof(number));
+	return number;
+}
+
+void accel_fetch_batch(const struct accel_fetch *fetch, uint32_t first, int count, int components,
+		       float (*out)[ACCEL_BATCH])
+{
+	const size_t step = fetch->step, size = fetch->bytes ? 1 : sizeof(float);
+
+	for (int i = 0; i < components; i++) {
+		bool there = i < fetch->components;
+		const uint8_t *from = fetch->data + first * step + (there ? (size_t)i * size : 0);
+
+		for (int j = 0; j < count && there; j++)
+			out[i][j] = fetch_number(fetch, from + (size_t)j * step);
+		for (int j = 0; j < count && !there; j++)
+			out[i][j] = i < 3 ? 0 : 1;
+	}
 }

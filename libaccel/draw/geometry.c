@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-/* Vertices to the window: transform, what of the view volume they are outside of, snapping. */
+/* The matrices of a mesh, the window and what of it is visible; single points of clip space. */
 #include <errno.h>
-#include <math.h>
+#include <string.h>
 
-#include "draw/draw_priv.h"
-
-/* w below this is no place in front of the eye that could be divided by. */
-#define EYE_W_MIN 1e-30
+#include "draw/geometry_window.h"
+#include "draw/kernel.h"
 
 /*
  * Pixels that a coordinate may lie beside the target. Across, 13 bits count from any tile of it.
@@ -114,129 +112,62 @@ void accel_geometry_init(struct accel_transform *transform, const struct accel_s
 	geometry_window_init(&transform->window, state, width, height);
 }
 
-static void geometry_transform_point(const double m[16], const float p[3], double out[4])
-{
-	for (int row = 0; row < 4; row++)
-		out[row] = m[row] * (double)p[0] + m[4 + row] * (double)p[1] +
-			   m[8 + row] * (double)p[2] + m[12 + row];
-}
-
 void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
 			       double clip[4])
 {
-	geometry_transform_point(transform->clip, position, clip);
+	const double at[3] = { (double)position[0], (double)position[1], (double)position[2] };
+
+	for (int row = 0; row < 4; row++)
+		clip[row] = geometry_row(transform->clip, row, at);
 }
 
 double accel_geometry_distance(const struct accel_window *window, int plane, const double clip[4])
 {
-	const double *scale = window->scale, *offset = window->offset, *guard = window->guard;
-	double w = clip[3];
-
-	switch (1 << plane) {
-	case ACCEL_OUTSIDE_EYE:
-		return w - EYE_W_MIN;
-	case ACCEL_OUTSIDE_NEAR:
-		return w + clip[2];
-	case ACCEL_OUTSIDE_FAR:
-		return w - clip[2];
-	case ACCEL_OUTSIDE_GUARD_LEFT:
-		return scale[0] * clip[0] + (offset[0] - guard[0]) * w;
-	case ACCEL_OUTSIDE_GUARD_RIGHT:
-		return (guard[1] - offset[0]) * w - scale[0] * clip[0];
-	case ACCEL_OUTSIDE_GUARD_TOP:
-		return scale[1] * clip[1] + (offset[1] - guard[2]) * w;
-	default:
-		return (guard[3] - offset[1]) * w - scale[1] * clip[1];
-	}
-}
-
-static uint32_t geometry_outside(const struct accel_window *window, const double clip[4])
-{
-	uint32_t bits = 0;
-
-	for (int plane = 0; plane < ACCEL_CLIP_PLANES; plane++)
-		if (accel_geometry_distance(window, plane, clip) < 0)
-			bits |= 1u << plane;
-	if (clip[0] < -clip[3])
-		bits |= ACCEL_OUTSIDE_LEFT;
-	if (clip[0] > clip[3])
-		bits |= ACCEL_OUTSIDE_RIGHT;
-	if (clip[1] > clip[3])
-		bits |= ACCEL_OUTSIDE_TOP;
-	if (clip[1] < -clip[3])
-		bits |= ACCEL_OUTSIDE_BOTTOM;
-	return bits;
-}
-
-/* Rounds a coordinate to 1/16 pixel; the guard band's borders are whole pixels. NaN is low. */
-static int32_t geometry_snap(double pixel, double low, double high)
-{
-	const double one = 1 << ACCEL_SNAP_BITS;
-
-	pixel = pixel > low ? pixel : low;
-	pixel = pixel < high ? pixel : high;
-	return (int32_t)floor(pixel * one + 0.5) * (1 << (ACCEL_WINDOW_BITS - ACCEL_SNAP_BITS));
+	return geometry_distance(window, plane, clip);
 }
 
 void accel_geometry_project(const struct accel_window *window, const double clip[4],
 			    struct accel_vertex *vertex)
 {
-	/* Clipping may miss by the rounding of its largest number. */
-	double w = clip[3] > EYE_W_MIN ? clip[3] : EYE_W_MIN, inverse = 1 / w;
-	double z = clip[2] * inverse * window->scale[2] + window->offset[2];
+	const struct geometry_place place = geometry_project(window, clip);
 
-	vertex->x = geometry_snap(clip[0] * inverse * window->scale[0] + window->offset[0],
-				  window->guard[0], window->guard[1]);
-	vertex->y = geometry_snap(clip[1] * inverse * window->scale[1] + window->offset[1],
-				  window->guard[2], window->guard[3]);
-	vertex->w = (float)w;
-	vertex->z = z > 0 ? (z < 1 ? z : 1) : 0;
+	vertex->x = place.x;
+	vertex->y = place.y;
+	vertex->w = place.w;
+	vertex->z = place.z;
 }
 
-/* false: something is too large for a float. */
-static bool geometry_narrow(const double *in, float *out, int count)
+void accel_geometry_vertex_of(const struct accel_vertex_batch *batch, int i,
+			      struct accel_vertex *vertex)
 {
-	bool finite = true;
-
-	for (int i = 0; i < count; i++) {
-		out[i] = (float)in[i];
-		finite &= isfinite(out[i]) != 0;
+	vertex->x = batch->x[i];
+	vertex->y = batch->y[i];
+	vertex->w = batch->w[i];
+	vertex->z = batch->z[i];
+	vertex->outside = batch->outside[i];
+	vertex->level = 0;
+	vertex->sampled = 0;
+	for (int j = 0; j < 3; j++) {
+		vertex->eye[j] = batch->eye[j][i];
+		vertex->normal[j] = batch->normal[j][i];
 	}
-	return finite;
-}
-
-static bool geometry_eye_normal(const double m[9], const float normal[3], float out[3])
-{
-	double n[3], length;
-
-	for (int row = 0; row < 3; row++)
-		n[row] = m[row] * (double)normal[0] + m[3 + row] * (double)normal[1] +
-			 m[6 + row] * (double)normal[2];
-	length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-	for (int i = 0; i < 3 && length > 0; i++)
-		n[i] /= length;
-	return geometry_narrow(n, out, 3);
+	for (int j = 0; j < 4; j++)
+		vertex->paint[j] = batch->paint[j][i];
 }
 
 int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],
 			  const float *normal, struct accel_vertex *vertex)
 {
-	double clip[4], eye[4];
-	float narrowed[4];
+	struct accel_vertex_batch batch;
 
-	accel_geometry_clip_space(transform, position, clip);
-	geometry_transform_point(transform->eye, position, eye);
-	if (eye[3] != 1 && eye[3] != 0)
-		for (int i = 0; i < 3; i++)
-			eye[i] /= eye[3];
-	if (!geometry_narrow(clip, narrowed, 4) || !geometry_narrow(eye, vertex->eye, 3))
-		return -EINVAL;
-	if (normal && !geometry_eye_normal(transform->normal, normal, vertex->normal))
-		return -EINVAL;
-	vertex->outside = geometry_outside(&transform->window, clip);
-	if (!(vertex->outside & ACCEL_OUTSIDE_CLIP))
-		accel_geometry_project(&transform->window, clip, vertex);
-	vertex->level = 0;
-	vertex->sampled = 0;
-	return 0;
+	for (int i = 0; i < 4; i++)
+		batch.paint[i][0] = 1;
+	for (int i = 0; i < 3; i++) {
+		batch.position[i][0] = position[i];
+		batch.across[i][0] = normal ? normal[i] : 0;
+		batch.normal[i][0] = 0;
+	}
+	accel_kernel()->transform(transform, &batch, 1, normal != NULL);
+	accel_geometry_vertex_of(&batch, 0, vertex);
+	return batch.finite[0] ? 0 : -EINVAL;
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw/draw_priv.h"
+#include "draw/kernel.h"
 
 static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 {
@@ -50,53 +50,55 @@ int accel_mesh_begin(struct accel_pass *pass)
 	return err;
 }
 
-/* A mesh's colour, limited; white if @colour is NULL. */
-static int mesh_vertex_colour(const float *colour, float out[4])
+/* Vertices from @first on, transformed. -EINVAL: *@bad of them is not finite. */
+static int mesh_transform_batch(const struct accel_pass *pass, uint32_t first, int count,
+				struct accel_vertex_batch *batch, int *bad)
 {
-	for (int i = 0; i < 4; i++) {
-		float value = colour ? colour[i] : 1;
+	bool normal = pass->lit && pass->normal.data;
+	bool colour = (!pass->lit || pass->painted) && pass->colour.data;
 
-		if (!isfinite(value))
-			return -EINVAL;
-		out[i] = value < 0 ? 0 : value > 1 ? 1 : value;
-	}
-	return 0;
-}
-
-/* @normal and @colour say whether the mesh's are wanted. */
-static int mesh_vertex(const struct accel_pass *pass, uint32_t i, bool normal, bool colour)
-{
-	struct accel_vertex *vertex = &pass->vertex[i];
-	float position[4], across[4], paint[4];
-	int err;
-
-	accel_fetch_element(&pass->position, i, position);
+	accel_fetch_batch(&pass->position, first, count, 3, batch->position);
 	if (normal)
-		accel_fetch_element(&pass->normal, i, across);
+		accel_fetch_batch(&pass->normal, first, count, 3, batch->across);
 	if (colour)
-		accel_fetch_element(&pass->colour, i, paint);
-	err = accel_geometry_vertex(&pass->transform, position, normal ? across : NULL, vertex);
-	if (!err)
-		err = mesh_vertex_colour(colour ? paint : NULL, vertex->paint);
-	/* Without lighting it is all there is to see. */
-	vertex->sample = (struct accel_sample){ 0 };
-	memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
-	return err;
+		accel_fetch_batch(&pass->colour, first, count, 4, batch->paint);
+	for (int i = 0; i < 4 && !colour; i++)
+		for (int j = 0; j < count; j++)
+			batch->paint[i][j] = 1;
+	accel_kernel()->transform(&pass->transform, batch, count, normal);
+	for (*bad = 0; *bad < count; ++*bad)
+		if (!batch->finite[*bad])
+			return -EINVAL;
+	return 0;
 }
 
 int accel_mesh_transform(struct accel_pass *pass)
 {
-	bool normal = pass->lit && pass->normal.data;
-	bool colour = (!pass->lit || pass->painted) && pass->colour.data;
-	int err = 0;
+	struct accel_vertex_batch batch = { 0 };
+	const uint32_t vertices = pass->mesh->vertices;
+	int count, bad, err;
 
-	for (uint32_t i = 0; i < pass->mesh->vertices && !err; i++) {
-		err = mesh_vertex(pass, i, normal, colour);
-		if (err)
+	for (uint32_t first = 0; first < vertices; first += (uint32_t)count) {
+		count = vertices - first < ACCEL_BATCH ? (int)(vertices - first) : ACCEL_BATCH;
+		err = mesh_transform_batch(pass, first, count, &batch, &bad);
+		if (err) {
 			accel_device_message(pass->device, "vertex %u of the mesh is not finite",
-					     i);
+					     first + (uint32_t)bad);
+			return err;
+		}
+		for (int i = 0; i < count; i++) {
+			struct accel_vertex *vertex = &pass->vertex[first + (uint32_t)i];
+
+			accel_geometry_vertex_of(&batch, i, vertex);
+			/* Without lighting it is all there is to see. */
+			vertex->sample = (struct accel_sample){ 0 };
+			memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
+			pass->screen[first + (uint32_t)i] = (struct accel_screen){
+				vertex->x, vertex->y, vertex->outside
+			};
+		}
 	}
-	return err;
+	return 0;
 }
 
 /* The direction in which the front of a triangle looks, by its vertices in eye space. */
@@ -232,29 +234,38 @@ static void mesh_flatten(struct accel_vertex *vertex[3], struct accel_vertex own
 	memcpy(own[2].normal, own[0].normal, sizeof(own[0].normal));
 }
 
+/* What of a triangle is seen: the side, -1 if nothing; *@planes are those that cut it. */
+static int mesh_seen(const struct accel_pass *pass, const uint32_t index[3], uint32_t *planes)
+{
+	const struct accel_screen a = pass->screen[index[0]], b = pass->screen[index[1]];
+	const struct accel_screen c = pass->screen[index[2]];
+
+	if (a.outside & b.outside & c.outside)
+		return -1;
+	*planes = (a.outside | b.outside | c.outside) & ACCEL_OUTSIDE_CLIP;
+	if (*planes)
+		return 0;
+	return mesh_visible_side(pass->state, (int64_t)(b.x - a.x) * (c.y - a.y) -
+						      (int64_t)(c.x - a.x) * (b.y - a.y));
+}
+
 /* The last of @index is the vertex that gives a flat triangle its colour. */
 static int mesh_draw_triangle(struct accel_pass *pass, const uint32_t index[3])
 {
 	bool shared = !pass->lit || pass->normal.data;
 	struct accel_vertex *vertex[3], own[3];
-	uint32_t any = 0, all = ~0u;
-	int side;
+	uint32_t planes;
+	int side = mesh_seen(pass, index, &planes);
 
 	pass->stats->triangles_in++;
-	for (int i = 0; i < 3; i++) {
-		vertex[i] = &pass->vertex[index[i]];
-		any |= vertex[i]->outside;
-		all &= vertex[i]->outside;
-	}
-	if (all)
-		return mesh_cull(pass);
-	if (!shared)
-		mesh_flatten(vertex, own);
-	if (any & ACCEL_OUTSIDE_CLIP)
-		return mesh_draw_clipped(pass, vertex, index, any & ACCEL_OUTSIDE_CLIP);
-	side = mesh_visible_side(pass->state, accel_surface_area(vertex[0], vertex[1], vertex[2]));
 	if (side < 0)
 		return mesh_cull(pass);
+	for (int i = 0; i < 3; i++)
+		vertex[i] = &pass->vertex[index[i]];
+	if (!shared)
+		mesh_flatten(vertex, own);
+	if (planes)
+		return mesh_draw_clipped(pass, vertex, index, planes);
 	return accel_split_draw(pass, vertex, shared ? index : NULL, vertex[2], side);
 }
 

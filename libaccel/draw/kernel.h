@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The loops that work on ACCEL_BATCH vertices, points or edges at a time, each number in an array
+ * of its own so that they become vector code. They are compiled once for every set of instructions
+ * (kernel_*.c, all from the *_loop.h) and give the same bits in each: every operation rounds by
+ * itself and in the order in which it is written, none is fused, none approximate.
+ */
+#ifndef ACCEL_DRAW_KERNEL_H
+#define ACCEL_DRAW_KERNEL_H
+
+#include "draw/draw_priv.h"
+
+/* Enough that a call costs nothing, and what it works on fits into a first-level cache. */
+#define ACCEL_BATCH 128
+
+/* ---- fetch.c ---- */
+
+/* As accel_fetch_element, @components of @count elements, each component in an array. */
+void accel_fetch_batch(const struct accel_fetch *fetch, uint32_t first, int count, int components,
+		       float (*out)[ACCEL_BATCH]);
+
+/* ---- geometry_loop.h ---- */
+
+struct accel_vertex_batch {
+	/* Of the mesh; across: its normals. */
+	float position[3][ACCEL_BATCH], across[3][ACCEL_BATCH], paint[4][ACCEL_BATCH];
+	/* The rest is as in accel_vertex. What has ACCEL_OUTSIDE_CLIP bits has any x, y, w, z. */
+	double z[ACCEL_BATCH];
+	int32_t x[ACCEL_BATCH], y[ACCEL_BATCH];
+	float w[ACCEL_BATCH], eye[3][ACCEL_BATCH], normal[3][ACCEL_BATCH];
+	uint32_t outside[ACCEL_BATCH];
+	uint32_t finite[ACCEL_BATCH]; /* 0: something is too large for a float, or no number */
+};
+
+/* ---- the loops, as one set of instructions has them ---- */
+
+struct accel_kernel {
+	const char *name;
+	bool (*runs)(void); /* has this processor the instructions? */
+	/*
+	 * The first @count vertices of @batch, and their paint is limited. Without @normals, across
+	 * and normal are left alone.
+	 */
+	void (*transform)(const struct accel_transform *transform, struct accel_vertex_batch *batch,
+			  int count, bool normals);
+};
+
+/* From the plainest on; NULL ends them. */
+extern const struct accel_kernel *const accel_kernels[];
+extern const struct accel_kernel accel_kernel_baseline, accel_kernel_avx2;
+
+/* The last that runs here, or the one that tests set. Any thread may call it. */
+const struct accel_kernel *accel_kernel(void);
+/* For tests: NULL is the choice of the library again. */
+void accel_kernel_set(const struct accel_kernel *kernel);
+
+#endif

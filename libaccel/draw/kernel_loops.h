@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * All loops and their table, for each file that is compiled for a set of instructions and defines
+ * KERNEL, KERNEL_NAME and kernel_runs(). Loops have no branches that depend on an element, calls
+ * neither; what one element needs and another does not is worked out for both, and one of two
+ * values taken.
+ */
+#include "draw/geometry_loop.h"
+
+const struct accel_kernel KERNEL = {
+	.name = KERNEL_NAME,
+	.runs = kernel_runs,
+	.transform = loop_transform,
+};

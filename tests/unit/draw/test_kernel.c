@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The loops of draw/kernel.h give the same bits with every set of instructions that this processor
+ * has: over random input, and in the streams of whole frames.
+ */
+#include "draw/kernel.h"
+#include "draw_mesh.h"
+#include "draw_test.h"
+
+#define SIDE 256
+#define ROUNDS 200
+
+/* Numbers of all sizes, some of them zero and some none. */
+static float any_number(uint64_t *seed, int magnitude)
+{
+	switch (test_below(seed, 100)) {
+	case 0:
+		return 0;
+	case 1:
+		return test_below(seed, 2) ? NAN : INFINITY;
+	default:
+		return (2 * test_unit(seed) - 1) *
+		       ldexpf(1, test_between(seed, -magnitude, magnitude));
+	}
+}
+
+static void fill(uint64_t *seed, float *number, size_t count, int magnitude)
+{
+	for (size_t i = 0; i < count; i++)
+		number[i] = any_number(seed, magnitude);
+}
+
+/* What is no number differs in its bits, as operands may change places. */
+static void settle(void *data, size_t size)
+{
+	float *number = data;
+
+	for (size_t i = 0; i < size / sizeof(*number); i++)
+		if (isnan(number[i]))
+			number[i] = NAN;
+}
+
+static void vertices_are_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_vertex_batch given, wanted, got;
+	struct accel_state *state = state_shiny(10);
+	uint64_t seed = test_seed();
+
+	(void)unused;
+	for (int n = 0; n < ROUNDS; n++) {
+		struct accel_transform transform;
+		int count = test_between(&seed, 1, ACCEL_BATCH + 1);
+
+		fill(&seed, state->modelview, 16, n % 4 ? 1 : 60);
+		if (n % 2)
+			state->modelview[3] = state->modelview[7] = state->modelview[11] = 0;
+		accel_geometry_init(&transform, state, SIDE, SIDE / 2);
+		fill(&seed, &given.position[0][0], 10 * (size_t)ACCEL_BATCH, n % 8 ? 3 : 120);
+		wanted = given;
+		accel_kernel_baseline.transform(&transform, &wanted, count, n % 3);
+		settle(&wanted.eye, sizeof(wanted.eye) + sizeof(wanted.normal));
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = given;
+			accel_kernels[i]->transform(&transform, &got, count, n % 3);
+			settle(&got.eye, sizeof(got.eye) + sizeof(got.normal));
+			assert_memory_equal(&got.x, &wanted.x,
+					    sizeof(got) - offsetof(struct accel_vertex_batch, x));
+			assert_memory_equal(&got.z, &wanted.z, sizeof(got.z));
+		}
+	}
+	accel_state_free(state);
+}
+
+/* ---- streams ---- */
+
+static uint64_t checksum;
+
+int __real_accel_stream_lend(struct accel_stream *stream, const uint32_t *words, size_t count);
+int __wrap_accel_stream_lend(struct accel_stream *stream, const uint32_t *words, size_t count);
+
+/* The records of a frame; what is around them says which tiles are clear already. */
+int __wrap_accel_stream_lend(struct accel_stream *stream, const uint32_t *words, size_t count)
+{
+	for (size_t i = 0; i < count; i++) {
+		uint64_t mixed = checksum ^ words[i];
+
+		checksum = test_random(&mixed);
+	}
+	return __real_accel_stream_lend(stream, words, count);
+}
+
+/* A point close to the mesh, and a spot, beside the light that the state has. */
+static void add_lamps(struct accel_state *state)
+{
+	struct accel_light lamp = ACCEL_LIGHT(.enabled = true, .position = { -1, 0.7f, -2, 1 },
+					      .ambient = { 0, 0.1f, 0, 1 },
+					      .diffuse = { 0.5f, 0.2f, 0, 1 },
+					      .specular = { 0, 0.3f, 0, 1 },
+					      .attenuation = { 1, 0.2f, 0.1f });
+
+	assert_int_equal(accel_state_set_light(state, 1, &lamp), 0);
+	lamp.position[0] = 1;
+	lamp.spot_direction[2] = -1;
+	lamp.spot_exponent = 5;
+	lamp.spot_cutoff = 20;
+	assert_int_equal(accel_state_set_light(state, 2, &lamp), 0);
+}
+
+/* The checksum of frame @n: all shadings, seen from near and far, with one light and more. */
+static uint64_t stream_of(struct accel_draw *draw, struct accel_target *target,
+			  const struct shape *shape, int n)
+{
+	struct accel_state *state = state_shiny(n & 1 ? 80 : 10);
+	struct accel_mesh mesh = shape->mesh;
+
+	if (n & 2)
+		add_lamps(state);
+	state_look(state, n & 4 ? 1.3f : 3.2f);
+	accel_state_set_two_sided(state, n & 8);
+	accel_state_set_local_viewer(state, n & 2);
+	accel_state_set_shading(state, (enum accel_shading)(n >> 4 & 3));
+	if (n & 64)
+		mesh.normal.data = NULL;
+	checksum = 0;
+	assert_int_equal(draw_begin(draw, target, (const float[4]){ 0, 0, 0, 1 }, 1), 0);
+	assert_int_equal(accel_draw_mesh(draw, state, &mesh), 0);
+	assert_int_equal(accel_draw_finish(draw), 0);
+	accel_state_free(state);
+	return checksum;
+}
+
+static void streams_are_the_same_with_all_instructions(void **unused)
+{
+	static struct shape shape;
+	struct messages messages;
+	struct accel_target *target;
+	struct accel_device *device;
+	struct accel_draw *draw;
+
+	(void)unused;
+	shape_torus(&shape, 24);
+	device = device_open("model:", &messages);
+	assert_int_equal(accel_target_new(device, SIDE, SIDE, &target), 0);
+	assert_int_equal(accel_draw_new(device, &draw), 0);
+	for (int n = 0; n < 128; n++) {
+		uint64_t wanted;
+
+		accel_kernel_set(&accel_kernel_baseline);
+		wanted = stream_of(draw, target, &shape, n);
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			accel_kernel_set(accel_kernels[i]);
+			assert_int_equal(stream_of(draw, target, &shape, n), wanted);
+		}
+	}
+	accel_kernel_set(NULL);
+	accel_draw_free(draw);
+	accel_target_free(target);
+	accel_device_free(device);
+}
+
+static void the_library_takes_the_last_that_runs(void **unused)
+{
+	const struct accel_kernel *last = NULL;
+
+	(void)unused;
+	for (int i = 0; accel_kernels[i]; i++)
+		if (accel_kernels[i]->runs())
+			last = accel_kernels[i];
+	assert_ptr_equal(accel_kernels[0], &accel_kernel_baseline);
+	assert_ptr_equal(accel_kernel(), last);
+	print_message("%s\n", last->name);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(vertices_are_the_same_with_all_instructions),
+		cmocka_unit_test(streams_are_the_same_with_all_instructions),
+		cmocka_unit_test(the_library_takes_the_last_that_runs),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
