@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /*
- * Records by tile. A tile has its words in a chain of chunks, in the order of drawing; chunks come
- * from blocks that are kept from frame to frame.
+ * Records by tile. A tile has its words in a chain of chunks, in the order of drawing, and no packet
+ * in two of them, so that it is packed where it is sent from. Chunks come from blocks that are kept
+ * from frame to frame.
  */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "draw/bin.h"
 
@@ -98,37 +98,32 @@ static int bin_tile_grow(struct accel_bin *bin, struct accel_tile *tile)
 	if (!chunk)
 		return -ENOMEM;
 	chunk->next = NULL;
+	chunk->used = 0;
 	if (tile->last)
 		tile->last->next = chunk;
 	else
 		tile->chunk = chunk;
 	tile->last = chunk;
-	tile->used = 0;
 	return 0;
 }
 
-static int bin_tile_put(struct accel_bin *bin, struct accel_tile *tile, const uint32_t *words,
-			uint32_t count)
+/* Room for @count words, at most ACCEL_CHUNK_WORDS, after those of the tile; NULL: out of memory. */
+static uint32_t *bin_tile_room(struct accel_bin *bin, struct accel_tile *tile, uint32_t count)
 {
-	tile->words += count;
-	while (count) {
-		uint32_t room = tile->last ? ACCEL_CHUNK_WORDS - tile->used : 0;
-		uint32_t part = count < room ? count : room;
-
-		if (!room) {
-			if (bin_tile_grow(bin, tile))
-				return -ENOMEM;
-			continue;
-		}
-		memcpy(tile->last->words + tile->used, words, part * sizeof(*words));
-		tile->used += part;
-		words += part;
-		count -= part;
-	}
-	return 0;
+	if ((!tile->last || count > ACCEL_CHUNK_WORDS - tile->last->used) &&
+	    bin_tile_grow(bin, tile))
+		return NULL;
+	return tile->last->words + tile->last->used;
 }
 
-uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now,
+/* They are filled. */
+static void bin_tile_take(struct accel_tile *tile, uint32_t count)
+{
+	tile->last->used += count;
+	tile->words += count;
+}
+
+uint32_t accel_bin_packets(uint32_t words[ACCEL_STATE_WORDS], const struct accel_tile_state *now,
 			   const struct accel_tile_state *state)
 {
 	uint32_t count = 0;
@@ -144,22 +139,18 @@ uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now
 	return count;
 }
 
-/* Puts the packets that make @state of what the tile has now. */
-static int bin_tile_state(struct accel_bin *bin, struct accel_tile *tile,
-			  const struct accel_tile_state *state)
+/* Puts the packets that make @state of what the tile has now; there is room for them. */
+static void bin_tile_state(const struct accel_bin *bin, struct accel_tile *tile, uint32_t *words,
+			   const struct accel_tile_state *state)
 {
-	uint32_t words[4], count;
-
-	if (!tile->drawn) {
+	if (tile->drawn) {
+		bin_tile_take(tile, accel_bin_packets(words, &tile->now, state));
+	} else {
 		tile->drawn = true;
 		tile->clear = bin->clear;
 		tile->first = *state;
-		tile->now = *state;
-		return 0;
 	}
-	count = accel_bin_packets(words, &tile->now, state);
 	tile->now = *state;
-	return count ? bin_tile_put(bin, tile, words, count) : 0;
 }
 
 /* Which of a state's results a tile must keep, and what it must have from before. */
@@ -213,18 +204,18 @@ void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 	bin->visible = *visible;
 }
 
-/* Puts a record and, before it, the state it needs. */
-static int bin_tile_record(struct accel_bin *bin, struct accel_tile *tile,
-			   const struct accel_tile_state *state, const uint32_t *words,
-			   uint32_t count)
+/* Where a record is to be packed, after the state it needs; NULL: out of memory. */
+static uint32_t *bin_record_begin(struct accel_bin *bin, struct accel_tile *tile,
+				  const struct accel_tile_state *state)
 {
-	int err = bin_tile_state(bin, tile, state);
+	uint32_t *words = bin_tile_room(bin, tile, ACCEL_STATE_WORDS + ACCEL_RECORD_WORDS);
 
-	if (err)
-		return err;
+	if (!words)
+		return NULL;
+	bin_tile_state(bin, tile, words, state);
 	bin_tile_uses(tile, state);
 	bin->records++;
-	return bin_tile_put(bin, tile, words, count);
+	return tile->last->words + tile->last->used;
 }
 
 /* Clears a tile that was drawn on already, by drawing. */
@@ -232,8 +223,8 @@ static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
 			  const struct accel_tile_clear *clear)
 {
 	bool colour = clear->mask & ACCEL_CLEAR_COLOUR, depth = clear->mask & ACCEL_CLEAR_DEPTH;
-	uint32_t words[ACCEL_RECORD_WORDS], count;
 	struct accel_tile_state state;
+	uint32_t *words;
 
 	gloss_depth_state_pack(&state.depth_state, &(struct gloss_depth_state){
 							   .func = GLOSS_COMPARE_ALWAYS,
@@ -242,8 +233,11 @@ static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
 	gloss_colour_mask_pack(&state.colour_mask,
 			       &(struct gloss_colour_mask){ colour, colour, colour, colour });
 	state.scissor = accel_bin_scissor(0, 0, bin->tile_size, bin->tile_size);
-	count = accel_record_fill(words, clear->colour, clear->depth);
-	return bin_tile_record(bin, tile, &state, words, count);
+	words = bin_record_begin(bin, tile, &state);
+	if (!words)
+		return -ENOMEM;
+	bin_tile_take(tile, accel_record_fill(words, clear->colour, clear->depth));
+	return 0;
 }
 
 int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear)
@@ -299,7 +293,7 @@ static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *tri
 	int x1 = number_min(bin->visible.x1, x + bin->tile_size);
 	struct accel_place place = { x, y, bin->tile_size, band->first, band->end, false, NULL };
 	struct accel_tile_state state = bin->state;
-	uint32_t words[ACCEL_RECORD_WORDS], count;
+	uint32_t *words;
 
 	while (place.first < place.end &&
 	       !bin_row_meets(&band->row[place.first - band->first], x0, x1))
@@ -312,8 +306,11 @@ static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *tri
 	place.row = &band->row[place.first - band->first];
 	place.covering = bin_band_covers(band, x, x + bin->tile_size, bin->tile_size);
 	state.scissor = bin_tile_scissor(bin, x, y);
-	count = accel_record_pack(words, triangle, &place);
-	return bin_tile_record(bin, tile, &state, words, count);
+	words = bin_record_begin(bin, tile, &state);
+	if (!words)
+		return -ENOMEM;
+	bin_tile_take(tile, accel_record_pack(words, triangle, &place));
+	return 0;
 }
 
 static int bin_band_draw(struct accel_bin *bin, const struct accel_triangle *triangle,

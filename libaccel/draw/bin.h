@@ -7,15 +7,18 @@
 
 /* ---- bin.c ---- */
 
-/* Words that follow each other in a tile. */
-#define ACCEL_CHUNK_WORDS 254
+/* Packets of a tile that follow each other; with the rest of a chunk it is 1 KiB. */
+#define ACCEL_CHUNK_WORDS 253
 
 struct accel_chunk {
 	struct accel_chunk *next;
+	uint32_t used;
 	uint32_t words[ACCEL_CHUNK_WORDS];
 };
 
 /* What state packets say, as they stand in the stream. */
+#define ACCEL_STATE_WORDS 4
+
 struct accel_tile_state {
 	uint32_t depth_state, colour_mask, scissor;
 };
@@ -28,8 +31,7 @@ struct accel_tile_clear {
 
 struct accel_tile {
 	struct accel_chunk *chunk, *last;
-	uint32_t used;  /* words of the last chunk */
-	uint32_t words; /* of all */
+	uint32_t words; /* of all chunks */
 	bool drawn;     /* has records; of another tile nothing below is set */
 	bool uses_colour, uses_depth, writes_depth;
 	struct accel_tile_clear clear;
@@ -63,7 +65,7 @@ int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *trian
 /* The word of a scissor packet. */
 uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1);
 /* Packets that turn one state into another; returns their words. */
-uint32_t accel_bin_packets(uint32_t words[4], const struct accel_tile_state *now,
+uint32_t accel_bin_packets(uint32_t words[ACCEL_STATE_WORDS], const struct accel_tile_state *now,
 			   const struct accel_tile_state *state);
 /* What the triangles that follow are drawn with, and where. */
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,

@@ -96,12 +96,12 @@ static struct part frame_part_of(const struct accel_tile_clear *clear, unsigned 
 static int frame_tile_records(struct writer *writer, const struct accel_tile *tile)
 {
 	const struct accel_chunk *chunk;
-	uint32_t words[4], count = accel_bin_packets(words, &writer->now, &tile->first);
+	uint32_t words[ACCEL_STATE_WORDS];
+	uint32_t count = accel_bin_packets(words, &writer->now, &tile->first);
 	int err = frame_put(writer, words, count);
 
 	for (chunk = tile->chunk; chunk && !err; chunk = chunk->next)
-		err = frame_lend(writer, chunk->words,
-				 chunk->next ? ACCEL_CHUNK_WORDS : tile->used);
+		err = frame_lend(writer, chunk->words, chunk->used);
 	writer->now = tile->now;
 	return err;
 }

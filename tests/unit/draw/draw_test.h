@@ -108,10 +108,8 @@ static inline void records_of_bin(const struct accel_bin *bin, record_fn call, v
 
 		assert_non_null(words);
 		for (const struct accel_chunk *c = tile->chunk; c; c = c->next) {
-			uint32_t part = c->next ? ACCEL_CHUNK_WORDS : tile->used;
-
-			memcpy(words + count, c->words, part * sizeof(*words));
-			count += part;
+			memcpy(words + count, c->words, c->used * sizeof(*words));
+			count += c->used;
 		}
 		assert_int_equal(count, tile->words);
 		records_of_words(words, count, call, data, i % bin->columns * bin->tile_size,
