@@ -158,7 +158,7 @@ int view_resize(struct view *view)
 	return ret;
 }
 
-int view_open(struct view *view, const struct view_options *options)
+int view_load(struct view *view, const struct view_options *options)
 {
 	int ret;
 
@@ -166,11 +166,18 @@ int view_open(struct view *view, const struct view_options *options)
 	view->options = options;
 	ret = open_mesh(view);
 	if (ret == VIEW_OK)
+		open_scene(view);
+	return ret;
+}
+
+int view_open(struct view *view, const struct view_options *options)
+{
+	int ret = view_load(view, options);
+
+	if (ret == VIEW_OK)
 		ret = open_pictures(view);
 	if (ret == VIEW_OK)
 		ret = open_device(view);
-	if (ret == VIEW_OK)
-		open_scene(view);
 	return ret;
 }
 

@@ -87,6 +87,8 @@ void view_camera_frame(struct view *view);
 void view_camera_set(struct view *view, float turn);
 
 /* draw.c: 0, or VIEW_FAILED after a message. */
+/* The mesh and the scene that it makes, without a board. */
+int view_load(struct view *view, const struct view_options *options);
 int view_open(struct view *view, const struct view_options *options);
 void view_close(struct view *view);
 /*
