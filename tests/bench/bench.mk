@@ -4,17 +4,39 @@
 ##@ Pictures and figures
 
 BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_setup bench_shade)
-BENCHES += bench-shade bench-setup bench-load nmse
+BENCHES += bench-frame bench-shade bench-setup bench-load nmse
+
+# SHORT=1: one round of what compares with Mesa, to try it out; then no aim counts.
+SHORT ?= 0
+SHORT_OPTION := $(if $(filter-out 0,$(SHORT)),--short)
 
 FLAGS_tests/bench := $(SCENE_CFLAGS)
 $(BENCH_PROGRAMS): private LIBS := $(SCENE_LIBS)
 $(BENCH_PROGRAMS): $(SCENE_OBJS) $(BUILD)/libaccel.a
 
+# Those that compare with Mesa, which libepoxy opens at run time.
+CONTEST_OBJS := $(addprefix $(BUILD)/tests/bench/, contest.o contest_picture.o gl_context.o gl_scene.o \
+	painter.o painter_gl.o painter_own.o)
+CONTEST_PROGRAMS := $(BUILD)/tests/bench/bench_frame
+$(CONTEST_PROGRAMS): private LIBS := $(SCENE_LIBS) -lepoxy -ldl
+$(CONTEST_PROGRAMS): $(CONTEST_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
+$(BUILD)/tests/bench/bench_frame: $(addprefix $(BUILD)/tools/view/, camera.o draw.o light.o material.o \
+	number.o options.o progress.o)
+
 # What a benchmark prints is shown and kept, also if it fails: a figure that misses its aim is one.
 keep_figures = mkdir -p $(BUILD)/bench && { tests/bench/retry $(BUILD)/bench/$(1).txt $(2); status=$$?; } && \
 	cat $(BUILD)/bench/$(1).txt && exit $$status
 
-.PHONY: bench bench-load bench-shade bench-setup figures run-merge
+.PHONY: bench bench-frame bench-load bench-shade bench-setup figures frame-pictures run-merge run-bench-run
+bench-frame: $(BUILD)/tests/bench/bench_frame ## frames a processor second against Mesa's drivers (SHORT=1: one round)
+	$(Q)$(call keep_figures,frame,$< $(SHORT_OPTION) $(MODELS))
+
+frame-pictures: $(BUILD)/tests/bench/bench_frame ## bench-frame compares ways that draw the same pictures
+	$(call quiet,TEST,frame pictures)
+	$(Q)$< --pictures $(MODELS)
+
+CHECKS += frame-pictures
+
 bench-shade: $(BUILD)/tests/bench/bench_shade ## speed of the model against per-pixel Phong
 	$(Q)$(call keep_figures,shade,$< sphere:2 sphere:3 torus:24 $(MODELS)/bunny.obj)
 
