@@ -14,6 +14,22 @@
 #define GLOSS_DEPTH_FRACTION 12u
 /* A compact depth coefficient (s26.6) is shifted left by this. */
 #define GLOSS_DEPTH_COMPACT_SHIFT 6u
+/* A small record's depth (s28.4) is shifted left by this. */
+#define GLOSS_SMALL_DEPTH_SHIFT 8u
+/* And its differences by this for each step of scale. */
+#define GLOSS_SMALL_DEPTH_SCALE_SHIFT 4u
+/* A small record's colours (s10.8) and first differences are shifted left by this. */
+#define GLOSS_SMALL_SLOPE_SHIFT 14u
+/* First differences by this more for each step of slope_scale. */
+#define GLOSS_SMALL_SLOPE_SCALE_SHIFT 2u
+/* A small record's second differences are shifted left by this. */
+#define GLOSS_SMALL_BEND_SHIFT 10u
+/* And by this more for each step of their scale. */
+#define GLOSS_SMALL_BEND_SCALE_SHIFT 3u
+/* Rows of a small record that pixels_small has. */
+#define GLOSS_SMALL_HEAD_ROWS 2u
+/* Rows of a small record in each word behind its colour. */
+#define GLOSS_SMALL_WORD_ROWS 4u
 /* The anchor of a triangle's coefficients is at a multiple of this in x. */
 #define GLOSS_ANCHOR_ALIGN 8u
 /* Version of this interface; a board reports it. */
@@ -110,6 +126,20 @@ enum gloss_shading {
 	GLOSS_SHADING_SECOND_ORDER = 2,
 };
 
+/* Words of rows behind the colour of a small record. */
+enum gloss_row_words {
+	/* At most 2 rows. */
+	GLOSS_ROW_WORDS_NONE = 0,
+	/* At most 6 rows. */
+	GLOSS_ROW_WORDS_ONE = 1,
+	/* At most 10 rows. */
+	GLOSS_ROW_WORDS_TWO = 2,
+	/* At most 14 rows. */
+	GLOSS_ROW_WORDS_THREE = 3,
+	/* At most 16 rows. */
+	GLOSS_ROW_WORDS_FOUR = 4,
+};
+
 /* What becomes of a tile's colour or depth at its end. */
 enum gloss_tile_output {
 	GLOSS_TILE_OUTPUT_DROP = 0,
@@ -140,6 +170,7 @@ enum gloss_opcode {
 	GLOSS_OP_COLOUR_MASK = 0x21,
 	GLOSS_OP_SCISSOR = 0x22,
 	GLOSS_OP_TRIANGLE = 0x30,
+	GLOSS_OP_TRIANGLE_SMALL = 0x32,
 };
 
 /* A header: opcode in bits 31:24, payload length in words in bits 10:0,
@@ -633,6 +664,397 @@ static inline int gloss_colour_second_order_invalid(const uint32_t *words)
 	return -1;
 }
 
+/* ---- pixels_small ---- */
+
+#define GLOSS_PIXELS_SMALL_WORDS 1
+
+/*
+ * The pixels of a triangle in a box of at most 16x16, as they are: of each row the first and the
+ * last one, counted from x. Without one, last is below first. What sticks out of the tile is not
+ * drawn.
+ */
+struct gloss_pixels_small {
+	uint32_t x;
+	/* first_row + last_row at most T-1. */
+	uint32_t first_row;
+	/* Rows less one, no more than there are words for. */
+	uint32_t last_row;
+	/* Of row 0. */
+	uint32_t first_0;
+	uint32_t last_0;
+	/* Of row 1; not looked at if there is none, as in the words below. */
+	uint32_t first_1;
+	uint32_t last_1;
+};
+
+static inline void gloss_pixels_small_pack(uint32_t *words, const struct gloss_pixels_small *p)
+{
+	words[0] = (p->x & 0x3fu) |
+		   (p->first_row & 0x3fu) << 6 |
+		   (p->last_row & 0xfu) << 12 |
+		   (p->first_0 & 0xfu) << 16 |
+		   (p->last_0 & 0xfu) << 20 |
+		   (p->first_1 & 0xfu) << 24 |
+		   (p->last_1 & 0xfu) << 28;
+}
+
+static inline void gloss_pixels_small_unpack(const uint32_t *words, struct gloss_pixels_small *p)
+{
+	p->x = words[0] & 0x3fu;
+	p->first_row = words[0] >> 6 & 0x3fu;
+	p->last_row = words[0] >> 12 & 0xfu;
+	p->first_0 = words[0] >> 16 & 0xfu;
+	p->last_0 = words[0] >> 20 & 0xfu;
+	p->first_1 = words[0] >> 24 & 0xfu;
+	p->last_1 = words[0] >> 28;
+}
+
+/* @words: the 1 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_pixels_small_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- rows_one ---- */
+
+#define GLOSS_ROWS_ONE_WORDS 1
+
+/* Rows 2 to 5, a byte each from the low one on: first in its bits 3:0, last in 7:4. */
+struct gloss_rows_one {
+	uint32_t rows_2;
+};
+
+static inline void gloss_rows_one_pack(uint32_t *words, const struct gloss_rows_one *p)
+{
+	words[0] = p->rows_2;
+}
+
+static inline void gloss_rows_one_unpack(const uint32_t *words, struct gloss_rows_one *p)
+{
+	p->rows_2 = words[0];
+}
+
+/* @words: the 1 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_rows_one_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- rows_two ---- */
+
+#define GLOSS_ROWS_TWO_WORDS 2
+
+/* Rows 2 to 9, as rows_one. */
+struct gloss_rows_two {
+	uint32_t rows_2;
+	uint32_t rows_6;
+};
+
+static inline void gloss_rows_two_pack(uint32_t *words, const struct gloss_rows_two *p)
+{
+	words[0] = p->rows_2;
+	words[1] = p->rows_6;
+}
+
+static inline void gloss_rows_two_unpack(const uint32_t *words, struct gloss_rows_two *p)
+{
+	p->rows_2 = words[0];
+	p->rows_6 = words[1];
+}
+
+/* @words: the 2 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_rows_two_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- rows_three ---- */
+
+#define GLOSS_ROWS_THREE_WORDS 3
+
+/* Rows 2 to 13, as rows_one. */
+struct gloss_rows_three {
+	uint32_t rows_2;
+	uint32_t rows_6;
+	uint32_t rows_10;
+};
+
+static inline void gloss_rows_three_pack(uint32_t *words, const struct gloss_rows_three *p)
+{
+	words[0] = p->rows_2;
+	words[1] = p->rows_6;
+	words[2] = p->rows_10;
+}
+
+static inline void gloss_rows_three_unpack(const uint32_t *words, struct gloss_rows_three *p)
+{
+	p->rows_2 = words[0];
+	p->rows_6 = words[1];
+	p->rows_10 = words[2];
+}
+
+/* @words: the 3 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_rows_three_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- rows_four ---- */
+
+#define GLOSS_ROWS_FOUR_WORDS 4
+
+/* Rows 2 to 15, as rows_one; bits 31:16 of the last word are not looked at. */
+struct gloss_rows_four {
+	uint32_t rows_2;
+	uint32_t rows_6;
+	uint32_t rows_10;
+	uint32_t rows_14;
+};
+
+static inline void gloss_rows_four_pack(uint32_t *words, const struct gloss_rows_four *p)
+{
+	words[0] = p->rows_2;
+	words[1] = p->rows_6;
+	words[2] = p->rows_10;
+	words[3] = p->rows_14;
+}
+
+static inline void gloss_rows_four_unpack(const uint32_t *words, struct gloss_rows_four *p)
+{
+	p->rows_2 = words[0];
+	p->rows_6 = words[1];
+	p->rows_10 = words[2];
+	p->rows_14 = words[3];
+}
+
+/* @words: the 4 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_rows_four_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- depth_small ---- */
+
+#define GLOSS_DEPTH_SMALL_WORDS 2
+
+/*
+ * Depth plane: z is s28.4, shifted left by small_depth_shift. dx and dy are sign-extended and
+ * shifted left by small_depth_shift + scale * small_depth_scale_shift.
+ */
+struct gloss_depth_small {
+	int32_t z;
+	int32_t dx;
+	int32_t dy;
+	uint32_t scale;
+};
+
+static inline void gloss_depth_small_pack(uint32_t *words, const struct gloss_depth_small *p)
+{
+	words[0] = (uint32_t)p->z;
+	words[1] = ((uint32_t)p->dx & 0x7fffu) |
+		   ((uint32_t)p->dy & 0x7fffu) << 15 |
+		   (p->scale & 0x3u) << 30;
+}
+
+static inline void gloss_depth_small_unpack(const uint32_t *words, struct gloss_depth_small *p)
+{
+	p->z = (int32_t)words[0];
+	p->dx = (int32_t)(words[1] << 17) >> 17;
+	p->dy = (int32_t)(words[1] << 2) >> 17;
+	p->scale = words[1] >> 30;
+}
+
+/* @words: the 2 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_depth_small_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- colour_linear_small ---- */
+
+#define GLOSS_COLOUR_LINEAR_SMALL_WORDS 4
+
+/*
+ * A plane a channel. The value at the anchor is its whole part and 8 bits of fraction, shifted left
+ * by small_slope_shift. Differences are sign-extended and shifted left by small_slope_shift +
+ * slope_scale * small_slope_scale_shift.
+ */
+struct gloss_colour_linear_small {
+	int32_t red;
+	int32_t green;
+	int32_t blue;
+	uint32_t slope_scale;
+	uint32_t red_fraction;
+	int32_t red_dx;
+	int32_t red_dy;
+	uint32_t green_fraction;
+	int32_t green_dx;
+	int32_t green_dy;
+	uint32_t blue_fraction;
+	int32_t blue_dx;
+	int32_t blue_dy;
+};
+
+static inline void gloss_colour_linear_small_pack(uint32_t *words,
+						  const struct gloss_colour_linear_small *p)
+{
+	words[0] = ((uint32_t)p->red & 0x3ffu) |
+		   ((uint32_t)p->green & 0x3ffu) << 10 |
+		   ((uint32_t)p->blue & 0x3ffu) << 20 |
+		   (p->slope_scale & 0x3u) << 30;
+	words[1] = (p->red_fraction & 0xffu) |
+		   ((uint32_t)p->red_dx & 0xfffu) << 8 |
+		   ((uint32_t)p->red_dy & 0xfffu) << 20;
+	words[2] = (p->green_fraction & 0xffu) |
+		   ((uint32_t)p->green_dx & 0xfffu) << 8 |
+		   ((uint32_t)p->green_dy & 0xfffu) << 20;
+	words[3] = (p->blue_fraction & 0xffu) |
+		   ((uint32_t)p->blue_dx & 0xfffu) << 8 |
+		   ((uint32_t)p->blue_dy & 0xfffu) << 20;
+}
+
+static inline void gloss_colour_linear_small_unpack(const uint32_t *words,
+						    struct gloss_colour_linear_small *p)
+{
+	p->red = (int32_t)(words[0] << 22) >> 22;
+	p->green = (int32_t)(words[0] << 12) >> 22;
+	p->blue = (int32_t)(words[0] << 2) >> 22;
+	p->slope_scale = words[0] >> 30;
+	p->red_fraction = words[1] & 0xffu;
+	p->red_dx = (int32_t)(words[1] << 12) >> 20;
+	p->red_dy = (int32_t)words[1] >> 20;
+	p->green_fraction = words[2] & 0xffu;
+	p->green_dx = (int32_t)(words[2] << 12) >> 20;
+	p->green_dy = (int32_t)words[2] >> 20;
+	p->blue_fraction = words[3] & 0xffu;
+	p->blue_dx = (int32_t)(words[3] << 12) >> 20;
+	p->blue_dy = (int32_t)words[3] >> 20;
+}
+
+/* @words: the 4 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_colour_linear_small_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
+/* ---- colour_second_order_small ---- */
+
+#define GLOSS_COLOUR_SECOND_ORDER_SMALL_WORDS 7
+
+/*
+ * As colour_linear_small, and second differences: sign-extended and shifted left by
+ * small_bend_shift + the channel's scale * small_bend_scale_shift.
+ */
+struct gloss_colour_second_order_small {
+	int32_t red;
+	int32_t green;
+	int32_t blue;
+	uint32_t slope_scale;
+	uint32_t red_fraction;
+	int32_t red_dx;
+	int32_t red_dy;
+	uint32_t green_fraction;
+	int32_t green_dx;
+	int32_t green_dy;
+	uint32_t blue_fraction;
+	int32_t blue_dx;
+	int32_t blue_dy;
+	int32_t red_dxx;
+	int32_t red_dxy;
+	int32_t red_dyy;
+	uint32_t red_scale;
+	int32_t green_dxx;
+	int32_t green_dxy;
+	int32_t green_dyy;
+	uint32_t green_scale;
+	int32_t blue_dxx;
+	int32_t blue_dxy;
+	int32_t blue_dyy;
+	uint32_t blue_scale;
+};
+
+static inline void gloss_colour_second_order_small_pack(uint32_t *words,
+							const struct gloss_colour_second_order_small *p)
+{
+	words[0] = ((uint32_t)p->red & 0x3ffu) |
+		   ((uint32_t)p->green & 0x3ffu) << 10 |
+		   ((uint32_t)p->blue & 0x3ffu) << 20 |
+		   (p->slope_scale & 0x3u) << 30;
+	words[1] = (p->red_fraction & 0xffu) |
+		   ((uint32_t)p->red_dx & 0xfffu) << 8 |
+		   ((uint32_t)p->red_dy & 0xfffu) << 20;
+	words[2] = (p->green_fraction & 0xffu) |
+		   ((uint32_t)p->green_dx & 0xfffu) << 8 |
+		   ((uint32_t)p->green_dy & 0xfffu) << 20;
+	words[3] = (p->blue_fraction & 0xffu) |
+		   ((uint32_t)p->blue_dx & 0xfffu) << 8 |
+		   ((uint32_t)p->blue_dy & 0xfffu) << 20;
+	words[4] = ((uint32_t)p->red_dxx & 0x3ffu) |
+		   ((uint32_t)p->red_dxy & 0x3ffu) << 10 |
+		   ((uint32_t)p->red_dyy & 0x3ffu) << 20 |
+		   (p->red_scale & 0x3u) << 30;
+	words[5] = ((uint32_t)p->green_dxx & 0x3ffu) |
+		   ((uint32_t)p->green_dxy & 0x3ffu) << 10 |
+		   ((uint32_t)p->green_dyy & 0x3ffu) << 20 |
+		   (p->green_scale & 0x3u) << 30;
+	words[6] = ((uint32_t)p->blue_dxx & 0x3ffu) |
+		   ((uint32_t)p->blue_dxy & 0x3ffu) << 10 |
+		   ((uint32_t)p->blue_dyy & 0x3ffu) << 20 |
+		   (p->blue_scale & 0x3u) << 30;
+}
+
+static inline void gloss_colour_second_order_small_unpack(const uint32_t *words,
+							  struct gloss_colour_second_order_small *p)
+{
+	p->red = (int32_t)(words[0] << 22) >> 22;
+	p->green = (int32_t)(words[0] << 12) >> 22;
+	p->blue = (int32_t)(words[0] << 2) >> 22;
+	p->slope_scale = words[0] >> 30;
+	p->red_fraction = words[1] & 0xffu;
+	p->red_dx = (int32_t)(words[1] << 12) >> 20;
+	p->red_dy = (int32_t)words[1] >> 20;
+	p->green_fraction = words[2] & 0xffu;
+	p->green_dx = (int32_t)(words[2] << 12) >> 20;
+	p->green_dy = (int32_t)words[2] >> 20;
+	p->blue_fraction = words[3] & 0xffu;
+	p->blue_dx = (int32_t)(words[3] << 12) >> 20;
+	p->blue_dy = (int32_t)words[3] >> 20;
+	p->red_dxx = (int32_t)(words[4] << 22) >> 22;
+	p->red_dxy = (int32_t)(words[4] << 12) >> 22;
+	p->red_dyy = (int32_t)(words[4] << 2) >> 22;
+	p->red_scale = words[4] >> 30;
+	p->green_dxx = (int32_t)(words[5] << 22) >> 22;
+	p->green_dxy = (int32_t)(words[5] << 12) >> 22;
+	p->green_dyy = (int32_t)(words[5] << 2) >> 22;
+	p->green_scale = words[5] >> 30;
+	p->blue_dxx = (int32_t)(words[6] << 22) >> 22;
+	p->blue_dxy = (int32_t)(words[6] << 12) >> 22;
+	p->blue_dyy = (int32_t)(words[6] << 2) >> 22;
+	p->blue_scale = words[6] >> 30;
+}
+
+/* @words: the 7 of the group. Index of the first with a reserved bit set or a
+ * field out of range, or -1. */
+static inline int gloss_colour_second_order_small_invalid(const uint32_t *words)
+{
+	(void)words;
+	return -1;
+}
+
 /* ---- nop ---- */
 
 /* Does nothing; its payload is skipped unread. */
@@ -1068,6 +1490,64 @@ static inline void gloss_triangle_unpack(const uint32_t *words, struct gloss_tri
 	p->alpha = words[0] >> 16 & 0xffu;
 }
 
+/* ---- triangle_small ---- */
+
+/*
+ * A TRIANGLE of at most 16x16 pixels in fewer words: its rows are sent as they are, and its
+ * coefficients as short numbers with a common scale. Only inside a tile.
+ *
+ * Payload: pixels_small, depth, colour in the form the header names, and the rows that pixels_small
+ * has not. The anchor is as TRIANGLE's, left.x being x + first_0; coefficients mean what they mean
+ * there. Alpha is constant.
+ */
+struct gloss_triangle_small {
+	enum gloss_shading shading;
+	enum gloss_row_words row_words;
+	uint32_t alpha;
+};
+
+/* Payload words of a packet with this header. */
+static inline uint32_t gloss_triangle_small_length(const struct gloss_triangle_small *p)
+{
+	uint32_t length = 0;
+
+	length += GLOSS_PIXELS_SMALL_WORDS;
+	length += GLOSS_DEPTH_SMALL_WORDS;
+	if (p->shading == GLOSS_SHADING_FLAT)
+		length += GLOSS_COLOUR_FLAT_WORDS;
+	if (p->shading == GLOSS_SHADING_LINEAR)
+		length += GLOSS_COLOUR_LINEAR_SMALL_WORDS;
+	if (p->shading == GLOSS_SHADING_SECOND_ORDER)
+		length += GLOSS_COLOUR_SECOND_ORDER_SMALL_WORDS;
+	if (p->row_words == GLOSS_ROW_WORDS_ONE)
+		length += GLOSS_ROWS_ONE_WORDS;
+	if (p->row_words == GLOSS_ROW_WORDS_TWO)
+		length += GLOSS_ROWS_TWO_WORDS;
+	if (p->row_words == GLOSS_ROW_WORDS_THREE)
+		length += GLOSS_ROWS_THREE_WORDS;
+	if (p->row_words == GLOSS_ROW_WORDS_FOUR)
+		length += GLOSS_ROWS_FOUR_WORDS;
+	return length;
+}
+
+/* Writes the header. */
+static inline void gloss_triangle_small_pack(uint32_t *words, const struct gloss_triangle_small *p)
+{
+	words[0] = (uint32_t)GLOSS_OP_TRIANGLE_SMALL << 24 | gloss_triangle_small_length(p) |
+		   ((uint32_t)p->shading & 0x3u) << 11 |
+		   ((uint32_t)p->row_words & 0x7u) << 13 |
+		   (p->alpha & 0xffu) << 16;
+}
+
+/* @words starts at the header. */
+static inline void gloss_triangle_small_unpack(const uint32_t *words,
+					       struct gloss_triangle_small *p)
+{
+	p->shading = (enum gloss_shading)(words[0] >> 11 & 0x3u);
+	p->row_words = (enum gloss_row_words)(words[0] >> 13 & 0x7u);
+	p->alpha = words[0] >> 16 & 0xffu;
+}
+
 /* ---- status ---- */
 
 #define GLOSS_STATUS_WORDS 3
@@ -1419,6 +1899,7 @@ static inline bool gloss_opcode_known(unsigned int opcode)
 	case GLOSS_OP_COLOUR_MASK:
 	case GLOSS_OP_SCISSOR:
 	case GLOSS_OP_TRIANGLE:
+	case GLOSS_OP_TRIANGLE_SMALL:
 		return true;
 	default:
 		return false;
@@ -1454,6 +1935,8 @@ static inline bool gloss_header_valid(uint32_t header)
 		return !(header & 0x00fff800u);
 	case GLOSS_OP_TRIANGLE:
 		return !((header >> 11 & 0x3u) > 2 || (header >> 13 & 0x3u) > 2);
+	case GLOSS_OP_TRIANGLE_SMALL:
+		return !((header >> 11 & 0x3u) > 2 || (header >> 13 & 0x7u) > 4);
 	default:
 		return false;
 	}

@@ -9,6 +9,22 @@
   localparam int unsigned DepthFraction = 12;
   // A compact depth coefficient (s26.6) is shifted left by this.
   localparam int unsigned DepthCompactShift = 6;
+  // A small record's depth (s28.4) is shifted left by this.
+  localparam int unsigned SmallDepthShift = 8;
+  // And its differences by this for each step of scale.
+  localparam int unsigned SmallDepthScaleShift = 4;
+  // A small record's colours (s10.8) and first differences are shifted left by this.
+  localparam int unsigned SmallSlopeShift = 14;
+  // First differences by this more for each step of slope_scale.
+  localparam int unsigned SmallSlopeScaleShift = 2;
+  // A small record's second differences are shifted left by this.
+  localparam int unsigned SmallBendShift = 10;
+  // And by this more for each step of their scale.
+  localparam int unsigned SmallBendScaleShift = 3;
+  // Rows of a small record that pixels_small has.
+  localparam int unsigned SmallHeadRows = 2;
+  // Rows of a small record in each word behind its colour.
+  localparam int unsigned SmallWordRows = 4;
   // The anchor of a triangle's coefficients is at a multiple of this in x.
   localparam int unsigned AnchorAlign = 8;
   // Version of this interface; a board reports it.
@@ -80,6 +96,13 @@
   localparam logic [1:0] SHADING_LINEAR = 2'd1;
   localparam logic [1:0] SHADING_SECOND_ORDER = 2'd2;
 
+  // Words of rows behind the colour of a small record.
+  localparam logic [2:0] ROW_WORDS_NONE = 3'd0;
+  localparam logic [2:0] ROW_WORDS_ONE = 3'd1;
+  localparam logic [2:0] ROW_WORDS_TWO = 3'd2;
+  localparam logic [2:0] ROW_WORDS_THREE = 3'd3;
+  localparam logic [2:0] ROW_WORDS_FOUR = 3'd4;
+
   // What becomes of a tile's colour or depth at its end.
   localparam logic [1:0] TILE_OUTPUT_DROP = 2'd0;
   localparam logic [1:0] TILE_OUTPUT_STORE = 2'd1;
@@ -103,6 +126,7 @@
   localparam logic [7:0] OP_COLOUR_MASK = 8'h21;
   localparam logic [7:0] OP_SCISSOR = 8'h22;
   localparam logic [7:0] OP_TRIANGLE = 8'h30;
+  localparam logic [7:0] OP_TRIANGLE_SMALL = 8'h32;
 
   // Payload words of packets whose length is fixed, and of groups.
   localparam logic [10:0] READ_MEMORY_WORDS = 11'd2;
@@ -122,6 +146,14 @@
   localparam logic [10:0] COLOUR_FLAT_WORDS = 11'd1;
   localparam logic [10:0] COLOUR_LINEAR_WORDS = 11'd9;
   localparam logic [10:0] COLOUR_SECOND_ORDER_WORDS = 11'd18;
+  localparam logic [10:0] PIXELS_SMALL_WORDS = 11'd1;
+  localparam logic [10:0] ROWS_ONE_WORDS = 11'd1;
+  localparam logic [10:0] ROWS_TWO_WORDS = 11'd2;
+  localparam logic [10:0] ROWS_THREE_WORDS = 11'd3;
+  localparam logic [10:0] ROWS_FOUR_WORDS = 11'd4;
+  localparam logic [10:0] DEPTH_SMALL_WORDS = 11'd2;
+  localparam logic [10:0] COLOUR_LINEAR_SMALL_WORDS = 11'd4;
+  localparam logic [10:0] COLOUR_SECOND_ORDER_SMALL_WORDS = 11'd7;
 
   // Byte offsets of registers.
   localparam logic [15:0] REG_IDENTITY = 16'h0000;
@@ -319,6 +351,118 @@
   };
 
   typedef struct packed {
+    logic [3:0] last_1;
+    logic [3:0] first_1;
+    logic [3:0] last_0;
+    logic [3:0] first_0;
+    logic [3:0] last_row;
+    logic [5:0] first_row;
+    logic [5:0] x;
+  } pixels_small_t;
+  localparam int unsigned PIXELS_SMALL_BITS = 32;
+  localparam logic [PIXELS_SMALL_BITS-1:0] PIXELS_SMALL_RESERVED = 32'h00000000;
+
+  typedef struct packed {
+    logic [31:0] rows_2;
+  } rows_one_t;
+  localparam int unsigned ROWS_ONE_BITS = 32;
+  localparam logic [ROWS_ONE_BITS-1:0] ROWS_ONE_RESERVED = 32'h00000000;
+
+  typedef struct packed {
+    logic [31:0] rows_6;  // word 1
+    logic [31:0] rows_2;  // word 0
+  } rows_two_t;
+  localparam int unsigned ROWS_TWO_BITS = 64;
+  localparam logic [ROWS_TWO_BITS-1:0] ROWS_TWO_RESERVED = {
+    32'h00000000, 32'h00000000
+  };
+
+  typedef struct packed {
+    logic [31:0] rows_10;  // word 2
+    logic [31:0] rows_6;  // word 1
+    logic [31:0] rows_2;  // word 0
+  } rows_three_t;
+  localparam int unsigned ROWS_THREE_BITS = 96;
+  localparam logic [ROWS_THREE_BITS-1:0] ROWS_THREE_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000
+  };
+
+  typedef struct packed {
+    logic [31:0] rows_14;  // word 3
+    logic [31:0] rows_10;  // word 2
+    logic [31:0] rows_6;  // word 1
+    logic [31:0] rows_2;  // word 0
+  } rows_four_t;
+  localparam int unsigned ROWS_FOUR_BITS = 128;
+  localparam logic [ROWS_FOUR_BITS-1:0] ROWS_FOUR_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000
+  };
+
+  typedef struct packed {
+    logic [1:0] scale;  // word 1
+    logic signed [14:0] dy;
+    logic signed [14:0] dx;
+    logic signed [31:0] z;  // word 0
+  } depth_small_t;
+  localparam int unsigned DEPTH_SMALL_BITS = 64;
+  localparam logic [DEPTH_SMALL_BITS-1:0] DEPTH_SMALL_RESERVED = {
+    32'h00000000, 32'h00000000
+  };
+
+  typedef struct packed {
+    logic signed [11:0] blue_dy;  // word 3
+    logic signed [11:0] blue_dx;
+    logic [7:0] blue_fraction;
+    logic signed [11:0] green_dy;  // word 2
+    logic signed [11:0] green_dx;
+    logic [7:0] green_fraction;
+    logic signed [11:0] red_dy;  // word 1
+    logic signed [11:0] red_dx;
+    logic [7:0] red_fraction;
+    logic [1:0] slope_scale;  // word 0
+    logic signed [9:0] blue;
+    logic signed [9:0] green;
+    logic signed [9:0] red;
+  } colour_linear_small_t;
+  localparam int unsigned COLOUR_LINEAR_SMALL_BITS = 128;
+  localparam logic [COLOUR_LINEAR_SMALL_BITS-1:0] COLOUR_LINEAR_SMALL_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000
+  };
+
+  typedef struct packed {
+    logic [1:0] blue_scale;  // word 6
+    logic signed [9:0] blue_dyy;
+    logic signed [9:0] blue_dxy;
+    logic signed [9:0] blue_dxx;
+    logic [1:0] green_scale;  // word 5
+    logic signed [9:0] green_dyy;
+    logic signed [9:0] green_dxy;
+    logic signed [9:0] green_dxx;
+    logic [1:0] red_scale;  // word 4
+    logic signed [9:0] red_dyy;
+    logic signed [9:0] red_dxy;
+    logic signed [9:0] red_dxx;
+    logic signed [11:0] blue_dy;  // word 3
+    logic signed [11:0] blue_dx;
+    logic [7:0] blue_fraction;
+    logic signed [11:0] green_dy;  // word 2
+    logic signed [11:0] green_dx;
+    logic [7:0] green_fraction;
+    logic signed [11:0] red_dy;  // word 1
+    logic signed [11:0] red_dx;
+    logic [7:0] red_fraction;
+    logic [1:0] slope_scale;  // word 0
+    logic signed [9:0] blue;
+    logic signed [9:0] green;
+    logic signed [9:0] red;
+  } colour_second_order_small_t;
+  localparam int unsigned COLOUR_SECOND_ORDER_SMALL_BITS = 224;
+  localparam logic [COLOUR_SECOND_ORDER_SMALL_BITS-1:0] COLOUR_SECOND_ORDER_SMALL_RESERVED = {
+    32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
+    32'h00000000
+  };
+
+  typedef struct packed {
     logic [7:0] opcode;
     logic [12:0] reserved_0;
     logic [10:0] length;
@@ -494,6 +638,16 @@
   } triangle_header_t;
   localparam int unsigned TRIANGLE_HEADER_BITS = 32;
   localparam logic [TRIANGLE_HEADER_BITS-1:0] TRIANGLE_HEADER_RESERVED = 32'h00000000;
+
+  typedef struct packed {
+    logic [7:0] opcode;
+    logic [7:0] alpha;
+    logic [2:0] row_words;
+    logic [1:0] shading;
+    logic [10:0] length;
+  } triangle_small_header_t;
+  localparam int unsigned TRIANGLE_SMALL_HEADER_BITS = 32;
+  localparam logic [TRIANGLE_SMALL_HEADER_BITS-1:0] TRIANGLE_SMALL_HEADER_RESERVED = 32'h00000000;
 
   typedef struct packed {
     logic [31:0] response_words;  // word 2

@@ -12,8 +12,11 @@ package gloss_pkg;
 
   // ---- render queue: what command hands to raster_load ----
   // A TRIANGLE is RENDER_HEADER, its payload in rows of StreamBits, then
-  // RENDER_GO. A part of the payload starts in lane 0 of a row.
-  localparam logic [2:0] RENDER_HEADER = 3'd0;  // data[31:0]: the triangle's header word
+  // RENDER_GO. A part of the payload starts in lane 0 of a row. Of a
+  // TRIANGLE_SMALL the header is the first word of PART_SMALL, and RENDER_HEADER
+  // is row 0 of that.
+  localparam logic [2:0] RENDER_HEADER = 3'd0;  // data[31:0]: the triangle's header word;
+                                                // part: PART_SMALL, or PART_NONE
   localparam logic [2:0] RENDER_PAYLOAD = 3'd1; // part, row: which words of the record
   localparam logic [2:0] RENDER_GO = 3'd2;      // the record is complete: draw it
   localparam logic [2:0] RENDER_STATE = 3'd3;   // part: STATE_*
@@ -22,21 +25,26 @@ package gloss_pkg;
                                                 // gate behind the queue holds the ops after it
                                                 // until the tile's buffer is prepared
 
-  // Parts of a triangle's payload.
-  localparam logic [1:0] PART_EDGES = 2'd0;
-  localparam logic [1:0] PART_DEPTH = 2'd1;
-  localparam logic [1:0] PART_ALPHA = 2'd2;
-  localparam logic [1:0] PART_COLOUR = 2'd3;
+  // Parts of a triangle's payload, and of a small one's.
+  localparam logic [2:0] PART_EDGES = 3'd0;
+  localparam logic [2:0] PART_DEPTH = 3'd1;
+  localparam logic [2:0] PART_ALPHA = 3'd2;
+  localparam logic [2:0] PART_COLOUR = 3'd3;
+  localparam logic [2:0] PART_SMALL = 3'd4;        // header, pixels, depth: SmallWords
+  localparam logic [2:0] PART_SMALL_COLOUR = 3'd5;
+  localparam logic [2:0] PART_SMALL_ROWS = 3'd6;
+  localparam logic [2:0] PART_NONE = 3'd7;
+  localparam int unsigned SmallWords = 4;
 
   // What a RENDER_STATE sets; data[31:0] is the word named here.
-  localparam logic [1:0] STATE_DEPTH = 2'd0;    // header of DEPTH_STATE
-  localparam logic [1:0] STATE_MASK = 2'd1;     // header of COLOUR_MASK
-  localparam logic [1:0] STATE_SCISSOR = 2'd2;  // payload word of SCISSOR
-  localparam logic [1:0] STATE_RESET = 2'd3;    // all to the state a job starts with
+  localparam logic [2:0] STATE_DEPTH = 3'd0;    // header of DEPTH_STATE
+  localparam logic [2:0] STATE_MASK = 3'd1;     // header of COLOUR_MASK
+  localparam logic [2:0] STATE_SCISSOR = 3'd2;  // payload word of SCISSOR
+  localparam logic [2:0] STATE_RESET = 3'd3;    // all to the state a job starts with
 
   typedef struct packed {
     logic [2:0] kind;
-    logic [1:0] part;
+    logic [2:0] part;
     logic [4:0] row;
   } render_op_t;
 

@@ -102,6 +102,14 @@ static void run_triangle(struct model *model, const uint32_t *packet)
 	model_draw_triangle(model, &triangle);
 }
 
+static void run_triangle_small(struct model *model, const uint32_t *packet)
+{
+	struct model_triangle triangle;
+
+	model_triangle_small_unpack(packet, &triangle);
+	model_draw_triangle(model, &triangle);
+}
+
 /* Executes a packet that was checked. NULL: it does nothing. */
 static void (*const run[])(struct model *model, const uint32_t *packet) = {
 	[GLOSS_OP_NOP] = NULL,
@@ -116,6 +124,7 @@ static void (*const run[])(struct model *model, const uint32_t *packet) = {
 	[GLOSS_OP_COLOUR_MASK] = run_colour_mask,
 	[GLOSS_OP_SCISSOR] = run_scissor,
 	[GLOSS_OP_TRIANGLE] = run_triangle,
+	[GLOSS_OP_TRIANGLE_SMALL] = run_triangle_small,
 };
 
 int model_init(struct model *model, int tile_size, void *memory, size_t memory_size)

@@ -12,7 +12,7 @@ typedef enum gloss_fault (*check_fn)(const struct model *model, const uint32_t *
 				     uint32_t *word);
 
 struct rule {
-	uint32_t words_min, words_max; /* TRIANGLE: one length, by its flags */
+	uint32_t words_min, words_max; /* of triangles: one length, by their flags */
 	enum place place;
 	check_fn payload; /* NULL: nothing can be wrong with it */
 };
@@ -241,6 +241,30 @@ found:
 	return invalid < 0 ? GLOSS_FAULT_NONE : GLOSS_FAULT_VALUE;
 }
 
+/* Rows that a small record has words for. */
+static uint32_t rows_sent(const struct gloss_triangle_small *p)
+{
+	return GLOSS_SMALL_HEAD_ROWS + GLOSS_SMALL_WORD_ROWS * (uint32_t)p->row_words;
+}
+
+static enum gloss_fault check_triangle_small(const struct model *model, const uint32_t *packet,
+					     uint32_t *word)
+{
+	struct gloss_triangle_small p;
+	struct gloss_pixels_small pixels;
+
+	*word = 1;
+	gloss_triangle_small_unpack(packet, &p);
+	gloss_pixels_small_unpack(packet + 1, &pixels);
+	if (pixels.first_row + pixels.last_row >= (uint32_t)model->tile_size ||
+	    pixels.last_row >= rows_sent(&p))
+		return GLOSS_FAULT_VALUE;
+	*word += GLOSS_PIXELS_SMALL_WORDS + GLOSS_DEPTH_SMALL_WORDS;
+	if (p.shading == GLOSS_SHADING_FLAT && gloss_colour_flat_invalid(packet + *word) >= 0)
+		return GLOSS_FAULT_VALUE;
+	return GLOSS_FAULT_NONE;
+}
+
 #define FIXED(words) (words), (words)
 
 static const struct rule rules[] = {
@@ -260,17 +284,25 @@ static const struct rule rules[] = {
 	[GLOSS_OP_COLOUR_MASK] = { FIXED(GLOSS_COLOUR_MASK_WORDS), ANYWHERE, NULL },
 	[GLOSS_OP_SCISSOR] = { FIXED(GLOSS_SCISSOR_WORDS), ANYWHERE, check_scissor },
 	[GLOSS_OP_TRIANGLE] = { 0, 0, INSIDE_TILE, check_triangle },
+	[GLOSS_OP_TRIANGLE_SMALL] = { 0, 0, INSIDE_TILE, check_triangle_small },
 };
 
 static bool length_valid(const struct rule *rule, uint32_t header)
 {
 	uint32_t length = gloss_header_length(header);
+	struct gloss_triangle_small small;
 	struct gloss_triangle p;
 
-	if (gloss_header_opcode(header) != GLOSS_OP_TRIANGLE)
+	switch (gloss_header_opcode(header)) {
+	case GLOSS_OP_TRIANGLE:
+		gloss_triangle_unpack(&header, &p);
+		return length == gloss_triangle_length(&p);
+	case GLOSS_OP_TRIANGLE_SMALL:
+		gloss_triangle_small_unpack(&header, &small);
+		return length == gloss_triangle_small_length(&small);
+	default:
 		return length >= rule->words_min && length <= rule->words_max;
-	gloss_triangle_unpack(&header, &p);
-	return length == gloss_triangle_length(&p);
+	}
 }
 
 static bool place_valid(enum place place, bool in_tile)

@@ -7,6 +7,7 @@
  *   command.c   walks the stream and executes it, packet by packet
  *     command_check.c   is the packet right, and if not, at which word
  *     triangle.c        a TRIANGLE's payload in its many forms to one struct
+ *     triangle_small.c  a TRIANGLE_SMALL to the same
  *   draw.c      takes a triangle through the three stages below
  *   raster.c    edges to spans of pixels
  *   shade.c     surfaces to colour and depth
@@ -32,6 +33,9 @@
  * past what is asked for. */
 #define MODEL_LANES 8
 
+/* Rows of the largest triangle that lists them. */
+#define MODEL_LISTED_ROWS 16
+
 /* One edge; the units are those of group edges_wide. */
 struct model_edge {
 	int32_t x, step;   /* s13 */
@@ -53,6 +57,10 @@ struct model_triangle {
 	struct model_edge left, right, middle;
 	int first_row, last_row; /* last_row: rows less one, as it is sent */
 	int switch_row, side;
+	/* Rows are listed, as in group rows_one, and of the edges only left.x means anything. */
+	bool listed;
+	int x;
+	uint8_t row[MODEL_LISTED_ROWS];
 	struct model_surface red, green, blue, alpha;
 	struct model_plane depth;
 };
@@ -174,6 +182,11 @@ enum gloss_fault model_command_check(const struct model *model, uint32_t at, uin
 
 /* @packet is a checked TRIANGLE from its header on. */
 void model_triangle_unpack(const uint32_t *packet, int tile_size, struct model_triangle *triangle);
+
+/* ---- triangle_small.c ---- */
+
+/* The same of a TRIANGLE_SMALL. */
+void model_triangle_small_unpack(const uint32_t *packet, struct model_triangle *triangle);
 
 /* ---- draw.c ---- */
 

@@ -9,6 +9,8 @@
  * bits: r + m loses its carry, and the sum that is left is compared with dy and
  * reduced by it, unsigned. Any values are therefore legal; only those a division
  * can give mean anything.
+ *
+ * A small triangle has no edges: its rows are listed.
  */
 #include "lanes.h"
 
@@ -24,6 +26,14 @@ MODEL_INLINE void edge_step(struct model_edge *edge)
 
 	edge->r = carry ? r - edge->dy : r;
 	edge->x = sign13((uint32_t)edge->x + (uint32_t)edge->step + carry);
+}
+
+/* A row that is listed; without a pixel x1 is not above x0. */
+MODEL_INLINE void row_listed(const struct model_triangle *triangle, int row, int32_t *x0,
+			     int32_t *x1)
+{
+	*x0 = triangle->x + (triangle->row[row] & 15);
+	*x1 = triangle->x + (triangle->row[row] >> 4) + 1;
 }
 
 /* From the row before to walk->row. */
@@ -45,7 +55,9 @@ MODEL_INLINE bool walk_next(struct model_walk *walk, const struct model_scissor 
 			    struct model_span *span)
 {
 	while (walk->row <= walk->triangle->last_row) {
-		if (walk->row)
+		if (walk->triangle->listed)
+			row_listed(walk->triangle, walk->row, &walk->left.x, &walk->right.x);
+		else if (walk->row)
 			walk_step(walk);
 		span->y = walk->triangle->first_row + walk->row++;
 		span->x0 = walk->left.x > scissor->x0 ? walk->left.x : scissor->x0;

@@ -125,6 +125,7 @@ void model_triangle_unpack(const uint32_t *packet, int tile_size, struct model_t
 	const uint32_t *words = packet + 1;
 
 	gloss_triangle_unpack(packet, &header);
+	triangle->listed = false;
 	words = unpack_edges(words, header.geometry, tile_size, triangle);
 	words = unpack_depth(words, header.geometry, &triangle->depth);
 	if (header.alpha_linear)

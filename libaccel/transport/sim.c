@@ -36,6 +36,7 @@ static uint64_t sim_packet_clocks(const uint32_t *packet, uint64_t words, uint64
 	case GLOSS_OP_TILE_END:
 		return 2 * tile * tile;
 	case GLOSS_OP_TRIANGLE:
+	case GLOSS_OP_TRIANGLE_SMALL:
 		return tile * tile;
 	case GLOSS_OP_READ_MEMORY:
 		if (words <= GLOSS_READ_MEMORY_WORDS)

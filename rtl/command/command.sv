@@ -84,7 +84,7 @@ module command #(
   logic                  start;
   logic [StreamBits-1:0] words;
   logic [CountBits-1:0]  have, take;
-  logic                  at_end;
+  logic                  at_small, whole, at_end;
   logic [31:0]           left;
 
   logic                  queue_valid, queue_ready;
@@ -95,8 +95,7 @@ module command #(
   logic                  packet_start, packet_drop, packet_done, packet_refuse, packet_take;
   logic                  packet_push, packet_push_ready, packet_stall_stream, decode_stall_stream;
   logic [3:0]            packet_cause;
-  logic [2:0]            packet_kind;
-  logic [1:0]            packet_part;
+  logic [2:0]            packet_kind, packet_part;
   logic [31:0]           header, word;
   logic                  in_tile;
 
@@ -126,6 +125,8 @@ module command #(
     .words_o       (words),
     .have_o        (have),
     .take_i        (take),
+    .small_o       (at_small),
+    .whole_o       (whole),
     .end_o         (at_end),
     .left_o        (left)
   );
@@ -147,6 +148,8 @@ module command #(
     .words_i            (words),
     .have_i             (have),
     .take_o             (take),
+    .small_i            (at_small),
+    .whole_i            (whole),
     .end_i              (at_end),
     .left_i             (left),
     .render_valid_o     (queue_valid),

@@ -19,6 +19,8 @@ module command_align #(
   output logic [StreamBits-1:0]              words_o, // the next word in the low bits
   output logic [$clog2(StreamBits/32+1)-1:0] have_o,  // how many of them are there
   input  logic [$clog2(StreamBits/32+1)-1:0] take_i,  // at most have_o
+  output logic                               small_o, // the next word may begin a TRIANGLE_SMALL
+  output logic                               whole_o, // the job has no more words than have_o
   output logic                               end_o,   // all words of the job were taken
   output logic [31:0]                        left_o   // of the job, a clock late
 );
@@ -51,6 +53,7 @@ module command_align #(
   );
 
   assign end_o = !ample_q && few_q == '0;
+  assign whole_o = !ample_q && few_q == (CountBits+2)'(have_o);
   assign left_o = left_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -71,6 +74,7 @@ module command_align #(
     assign words_o = beat;
     assign have_o = beat_valid && !end_o;
     assign beat_ready = take_i;
+    assign small_o = beat[31:24] == gloss_pkg::OP_TRIANGLE_SMALL;
   end else begin : gen_window
     localparam int unsigned LaneBits = $clog2(Lanes);
 
@@ -80,6 +84,7 @@ module command_align #(
     logic [CountBits-1:0]  first_words, some;
     logic [LaneBits:0]     skip_sum;
     logic                  spent, needed;
+    logic [Lanes-1:0]      is_small, small_q;  // found out before the words are shifted
 
     assign first_words = full_q ? CountBits'(Lanes) - CountBits'(skip_q) : '0;
     assign some = full_q && beat_valid ? CountBits'(Lanes) : first_words;
@@ -91,8 +96,16 @@ module command_align #(
     assign needed = ample_q || few_q > (CountBits+2)'(first_words);
     assign beat_ready = needed && (!full_q || spent);
 
+    for (genvar l = 0; l < Lanes; l++) begin : gen_small
+      assign is_small[l] = beat[32*l+24 +: 8] == gloss_pkg::OP_TRIANGLE_SMALL;
+    end
+    assign small_o = small_q[skip_q];
+
     always_ff @(posedge clk_i) begin
-      if (beat_ready) first_q <= beat;
+      if (beat_ready) begin
+        first_q <= beat;
+        small_q <= is_small;
+      end
     end
 
     always_ff @(posedge clk_i or negedge rst_ni) begin

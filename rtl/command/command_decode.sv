@@ -6,7 +6,7 @@
 // they are checked and go to the render queue. What the check of a row says is known a clock after
 // that, of a header two; so a triangle is sent before it is known to be right, and RENDER_GO, which
 // follows the last row, is what a fault holds back. A record takes a clock for each of header, rows
-// and RENDER_GO.
+// and RENDER_GO; a small one's header is in its first row.
 module command_decode #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32
@@ -28,6 +28,8 @@ module command_decode #(
   input  logic [StreamBits-1:0]              words_i,
   input  logic [$clog2(StreamBits/32+1)-1:0] have_i,
   output logic [$clog2(StreamBits/32+1)-1:0] take_o,
+  input  logic                               small_i,
+  input  logic                               whole_i,
   input  logic                               end_i,
   input  logic [31:0]                        left_i,       // a clock late
 
@@ -47,7 +49,7 @@ module command_decode #(
   input  logic                               packet_take_i,
   input  logic                               packet_push_i,
   input  logic [2:0]                         packet_kind_i,
-  input  logic [1:0]                         packet_part_i,
+  input  logic [2:0]                         packet_part_i,
   output logic                               packet_push_ready_o,
   output logic [31:0]                        header_o,
   output logic [31:0]                        word_o,
@@ -86,18 +88,17 @@ module command_decode #(
   gloss_pkg::render_op_t op_q;
   logic                 op_valid_q, op_ready;
   logic                 op_push;
-  logic [2:0]           op_kind;
-  logic [1:0]           op_part;
+  logic [2:0]           op_kind, op_part;
   logic [4:0]           op_row;
 
   logic [CountBits-1:0] take, take_q;
-  logic                 header_take, row_take, have_row;
+  logic                 header_take, row_take, have_row, head_there;
   logic                 header_check_q, row_check_q;
 
   logic [3:0]           header_fault;
   logic                 row_bad, row_last;
   logic [CountBits-1:0] row_words, row_behind;
-  logic [1:0]           row_part;
+  logic [2:0]           row_part;
   logic [4:0]           row_row;
 
   // A fault: refused_q for a clock, in which nothing moves. What each check said goes to registers
@@ -107,7 +108,11 @@ module command_decode #(
   logic [3:0]           step_cause, step_cause_q, header_fault_q, cause_q;
   logic                 row_refuse, row_refuse_q;
   logic                 step_behind, step_behind_q;  // words taken from the faulty one on
-  logic [CountBits-1:0] row_behind_q, header_behind_q;
+  logic [CountBits-1:0] row_behind_q, header_behind_q, header_words_q;
+  // The words beside a small record's header are checked with its rows, and count when the header
+  // was found right.
+  logic                 head_refuse, head_refuse_q;
+  logic [CountBits-1:0] head_behind, head_behind_q;
   logic [3:0]           behind_q;
   logic [31:0]          offset_q;
 
@@ -141,6 +146,8 @@ module command_decode #(
 
   assign start_o = job_valid_i && job_ready_o;
   assign have_row = have_i >= row_words;
+  // Of a record that the stream cuts off, what is left: its header is then found wrong.
+  assign head_there = have_i == CountBits'(Lanes) || (whole_i && have_i != '0);
 
   // ---- first step: what is taken, and what goes to the queue with it ----
   always_comb begin
@@ -181,11 +188,12 @@ module command_decode #(
             step_cause = gloss_pkg::FAULT_ORDER;
             step_behind = 1'b0;
             state_d = Finish;
-          end else if (have_i != '0) begin
-            take = CountBits'(1);
+          end else if (small_i ? head_there : have_i != '0) begin
+            take = small_i ? have_i : CountBits'(1);
             header_take = 1'b1;
             op_kind = gloss_pkg::RENDER_HEADER;
-            op_push = words_i[31:24] == gloss_pkg::OP_TRIANGLE;
+            op_part = small_i ? gloss_pkg::PART_SMALL : gloss_pkg::PART_NONE;
+            op_push = small_i || words_i[31:24] == gloss_pkg::OP_TRIANGLE;
             state_d = op_push ? Triangle : Check;
           end else begin
             stall_stream_o = 1'b1;
@@ -303,8 +311,8 @@ module command_decode #(
 
   // ---- faults ----
   assign row_refuse = row_check_q && row_bad;
-  assign refuse = !refused_q &&
-                  (step_refuse || row_refuse || header_fault != gloss_pkg::FAULT_NONE);
+  assign refuse = !refused_q && (step_refuse || row_refuse || head_refuse ||
+                                 header_fault != gloss_pkg::FAULT_NONE);
 
   always_ff @(posedge clk_i) begin
     step_cause_q <= step_cause;
@@ -313,17 +321,23 @@ module command_decode #(
     row_behind_q <= row_behind;
     header_fault_q <= header_fault;
     header_behind_q <= take_q;
+    header_words_q <= header_behind_q;
+    head_behind <= row_behind;
+    head_behind_q <= head_behind;
+    head_refuse_q <= head_refuse;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       refused_q <= 1'b0;
+      head_refuse <= 1'b0;
       take_q <= '0;
       cause_q <= gloss_pkg::FAULT_NONE;
       behind_q <= '0;
       offset_q <= '0;
     end else begin
       refused_q <= refuse;
+      head_refuse <= header_check_q && row_bad;
       take_q <= take;
       if (start_o) begin
         cause_q <= gloss_pkg::FAULT_NONE;
@@ -331,7 +345,10 @@ module command_decode #(
       end else if (refused_q) begin
         if (header_fault_q != gloss_pkg::FAULT_NONE) begin
           cause_q <= header_fault_q;
-          behind_q <= 4'd1 + 4'(header_behind_q);
+          behind_q <= 4'(header_words_q) + 4'(header_behind_q);
+        end else if (head_refuse_q) begin
+          cause_q <= gloss_pkg::FAULT_VALUE;
+          behind_q <= 4'(head_behind_q) + 4'(header_behind_q);
         end else if (row_refuse_q) begin
           cause_q <= gloss_pkg::FAULT_VALUE;
           behind_q <= 4'(row_behind_q);

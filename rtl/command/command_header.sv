@@ -13,10 +13,11 @@ module command_header (
 
   // Some fields of each.
   // verilator lint_off UNUSEDSIGNAL
-  gloss_pkg::triangle_header_t triangle;
-  gloss_pkg::tile_end_header_t tile_end;
+  gloss_pkg::triangle_header_t       triangle;
+  gloss_pkg::triangle_small_header_t small_header;
+  gloss_pkg::tile_end_header_t       tile_end;
   // verilator lint_on UNUSEDSIGNAL
-  logic [10:0] length, triangle_length;
+  logic [10:0] length, triangle_length, small_length;
   logic        opcode_valid, variable_ok;
   logic [31:0] reserved;
   logic [10:0] words;       // payload of a packet of fixed length
@@ -25,6 +26,7 @@ module command_header (
   logic        checked_q, bad_opcode_q, bad_value_q, bad_length_q, misplaced_q;
 
   assign triangle = header_i;
+  assign small_header = header_i;
   assign tile_end = header_i;
   assign length = header_i[10:0];
 
@@ -43,6 +45,17 @@ module command_header (
       triangle_length += gloss_pkg::COLOUR_LINEAR_WORDS;
     if (triangle.shading == gloss_pkg::SHADING_SECOND_ORDER)
       triangle_length += gloss_pkg::COLOUR_SECOND_ORDER_WORDS;
+  end
+
+  always_comb begin
+    small_length = gloss_pkg::PIXELS_SMALL_WORDS + gloss_pkg::DEPTH_SMALL_WORDS +
+                   11'(small_header.row_words);
+    if (small_header.shading == gloss_pkg::SHADING_FLAT)
+      small_length += gloss_pkg::COLOUR_FLAT_WORDS;
+    if (small_header.shading == gloss_pkg::SHADING_LINEAR)
+      small_length += gloss_pkg::COLOUR_LINEAR_SMALL_WORDS;
+    if (small_header.shading == gloss_pkg::SHADING_SECOND_ORDER)
+      small_length += gloss_pkg::COLOUR_SECOND_ORDER_SMALL_WORDS;
   end
 
   always_comb begin
@@ -112,6 +125,14 @@ module command_header (
                     triangle.shading > gloss_pkg::SHADING_SECOND_ORDER;
         is_fixed = 1'b0;
         variable_ok = length == triangle_length;
+        misplaced = !in_tile_i;
+      end
+      gloss_pkg::OP_TRIANGLE_SMALL: begin
+        reserved = gloss_pkg::TRIANGLE_SMALL_HEADER_RESERVED;
+        bad_value = small_header.shading > gloss_pkg::SHADING_SECOND_ORDER ||
+                    small_header.row_words > gloss_pkg::ROW_WORDS_FOUR;
+        is_fixed = 1'b0;
+        variable_ok = length == small_length;
         misplaced = !in_tile_i;
       end
       default: opcode_valid = 1'b0;

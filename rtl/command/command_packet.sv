@@ -28,7 +28,7 @@ module command_packet #(
   // to the render queue; the data are word_i
   output logic                      push_o,
   output logic [2:0]                push_kind_o,
-  output logic [1:0]                push_part_o,
+  output logic [2:0]                push_part_o,
   input  logic                      push_ready_i,
 
   // to command_slot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of a triangle's record: how many words the next one has, which part it belongs to, and
-// whether the row taken before it is right. A part starts in lane 0 of a row.
+// whether the row taken before it is right. A part starts in lane 0 of a row. A small record's
+// header is taken with the words behind it that fill a row.
 module command_record #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32
@@ -13,7 +14,7 @@ module command_record #(
 
   // the next row
   output logic [$clog2(StreamBits/32+1)-1:0] words_o,
-  output logic [1:0]                         part_o,
+  output logic [2:0]                         part_o,
   output logic [4:0]                         row_o,
   output logic                               last_o,   // of the record
   input  logic                               take_i,
@@ -35,19 +36,26 @@ module command_record #(
   localparam logic [3:0] WideRowsWord = 4'd2;
   localparam logic [3:0] CompactRowsWord = 4'd1;
   localparam logic [6:0] PastTile = 7'(128 - TileSize); // bits that a row of the tile has not
+  // Words of PART_SMALL in its first row, and whether these are all.
+  localparam int unsigned HeadWords = Lanes < gloss_pkg::SmallWords ? Lanes
+                                                                  : gloss_pkg::SmallWords;
+  localparam bit HeadIsRow = HeadWords == gloss_pkg::SmallWords;
 
   // Some fields of each.
   // verilator lint_off UNUSEDSIGNAL
-  gloss_pkg::triangle_header_t header, header_q;
+  gloss_pkg::triangle_header_t       header, header_q;
+  gloss_pkg::triangle_small_header_t small_now, small_header;
   // verilator lint_on UNUSEDSIGNAL
-  logic [1:0]           part_q, part_next, after;
+  logic                 is_small;
+  logic [1:0]           shading_then, shading_now;
+  logic [2:0]           part_q, part_next, after;
   logic [4:0]           row_q;
   logic [4:0]           rest_q, rest_next;  // words of the part left
   logic [CountBits-1:0] words_q;            // of the row: as many as there are and fit
   logic                 ends_q;             // the row is its part's last
 
-  function automatic logic [4:0] part_words(logic [1:0] part, logic [1:0] geometry,
-                                            logic [1:0] shading);
+  function automatic logic [4:0] part_words(logic [2:0] part, logic [1:0] geometry,
+                                            logic [1:0] shading, logic [2:0] row_words);
     unique case (part)
       gloss_pkg::PART_EDGES:
         part_words = 5'(geometry == gloss_pkg::GEOMETRY_WIDE ? gloss_pkg::EDGES_WIDE_WORDS
@@ -56,6 +64,13 @@ module command_record #(
         part_words = 5'(geometry == gloss_pkg::GEOMETRY_COMPACT ? gloss_pkg::DEPTH_COMPACT_WORDS
                                                                 : gloss_pkg::DEPTH_WIDE_WORDS);
       gloss_pkg::PART_ALPHA: part_words = 5'(gloss_pkg::ALPHA_LINEAR_WORDS);
+      gloss_pkg::PART_SMALL: part_words = 5'(gloss_pkg::SmallWords - HeadWords);
+      gloss_pkg::PART_SMALL_COLOUR:
+        part_words = 5'(shading == gloss_pkg::SHADING_FLAT ? gloss_pkg::COLOUR_FLAT_WORDS :
+                        shading == gloss_pkg::SHADING_LINEAR ?
+                        gloss_pkg::COLOUR_LINEAR_SMALL_WORDS :
+                        gloss_pkg::COLOUR_SECOND_ORDER_SMALL_WORDS);
+      gloss_pkg::PART_SMALL_ROWS: part_words = 5'(row_words);
       default:
         part_words = 5'(shading == gloss_pkg::SHADING_FLAT ? gloss_pkg::COLOUR_FLAT_WORDS :
                         shading == gloss_pkg::SHADING_LINEAR ? gloss_pkg::COLOUR_LINEAR_WORDS :
@@ -64,16 +79,27 @@ module command_record #(
   endfunction
 
   assign header = header_i;
+  assign small_now = header_i;
+  assign small_header = header_q;
+  assign is_small = header.opcode == gloss_pkg::OP_TRIANGLE_SMALL;
+  assign shading_now = is_small ? small_now.shading : header.shading;
+  assign shading_then = header_q.opcode == gloss_pkg::OP_TRIANGLE_SMALL ? small_header.shading
+                                                                   : header_q.shading;
   assign words_o = words_q;
   assign part_o = part_q;
   assign row_o = row_q;
-  assign last_o = ends_q && part_q == gloss_pkg::PART_COLOUR;
+  assign last_o = ends_q && (part_q == gloss_pkg::PART_COLOUR ||
+                             part_q == gloss_pkg::PART_SMALL_ROWS ||
+                             (part_q == gloss_pkg::PART_SMALL_COLOUR &&
+                              small_header.row_words == gloss_pkg::ROW_WORDS_NONE));
 
   always_comb begin
     unique case (part_q)
       gloss_pkg::PART_EDGES: after = gloss_pkg::PART_DEPTH;
       gloss_pkg::PART_DEPTH: after = header_q.alpha_linear ? gloss_pkg::PART_ALPHA
                                                            : gloss_pkg::PART_COLOUR;
+      gloss_pkg::PART_SMALL: after = gloss_pkg::PART_SMALL_COLOUR;
+      gloss_pkg::PART_SMALL_COLOUR: after = gloss_pkg::PART_SMALL_ROWS;
       default: after = gloss_pkg::PART_COLOUR;
     endcase
   end
@@ -81,12 +107,15 @@ module command_record #(
   // The row that comes next is worked out beside this one.
   always_comb begin
     if (start_i) begin
-      part_next = header.geometry == gloss_pkg::GEOMETRY_COVERING ? gloss_pkg::PART_DEPTH
+      part_next = is_small && HeadIsRow ? gloss_pkg::PART_SMALL_COLOUR :
+                  is_small ? gloss_pkg::PART_SMALL :
+                  header.geometry == gloss_pkg::GEOMETRY_COVERING ? gloss_pkg::PART_DEPTH
                                                                   : gloss_pkg::PART_EDGES;
-      rest_next = part_words(part_next, header.geometry, header.shading);
+      rest_next = part_words(part_next, header.geometry, shading_now, '0);
     end else begin
       part_next = ends_q ? after : part_q;
-      rest_next = ends_q ? part_words(after, header_q.geometry, header_q.shading)
+      rest_next = ends_q ? part_words(after, header_q.geometry, shading_then,
+                                     small_header.row_words)
                          : rest_q - 5'(Lanes);
     end
   end
@@ -102,7 +131,8 @@ module command_record #(
     end else if (start_i || take_i) begin
       if (start_i) header_q <= header_i;
       part_q <= part_next;
-      row_q <= start_i || ends_q ? '0 : row_q + 1'b1;
+      if (start_i) row_q <= is_small && !HeadIsRow ? 5'd1 : 5'd0;
+      else row_q <= ends_q ? '0 : row_q + 1'b1;
       rest_q <= rest_next;
       words_q <= rest_next > 5'(Lanes) ? CountBits'(Lanes) : rest_next[CountBits-1:0];
       ends_q <= rest_next <= 5'(Lanes);
@@ -112,9 +142,11 @@ module command_record #(
   // ---- the check, one clock behind; what to look for is worked out when the row is taken ----
   logic [CountBits-1:0] checked_words_q;
   logic [Lanes-1:0]     bad_lane;
+  logic                 bad_pixels;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) checked_words_q <= '0;
+    else if (start_i) checked_words_q <= CountBits'(HeadWords);
     else if (take_i) checked_words_q <= words_o;
   end
 
@@ -141,9 +173,8 @@ module command_record #(
         gloss_pkg::PART_DEPTH:
           if (header_q.geometry != gloss_pkg::GEOMETRY_COMPACT)
             reserved = DepthReserved[{word, 5'b0} +: 32];
-        gloss_pkg::PART_COLOUR:
-          if (header_q.shading == gloss_pkg::SHADING_FLAT)
-            reserved = gloss_pkg::COLOUR_FLAT_RESERVED;
+        gloss_pkg::PART_COLOUR, gloss_pkg::PART_SMALL_COLOUR:
+          if (shading_then == gloss_pkg::SHADING_FLAT) reserved = gloss_pkg::COLOUR_FLAT_RESERVED;
         default: ;
       endcase
       if (CountBits'(l) >= words_q) begin
@@ -153,15 +184,41 @@ module command_record #(
     end
 
     always_ff @(posedge clk_i) begin
-      if (take_i) begin
+      if (start_i) begin
+        reserved_q <= '0;
+        rows_here_q <= 1'b0;
+      end else if (take_i) begin
         reserved_q <= reserved;
         rows_here_q <= rows_here;
       end
     end
 
+    // The second word of a small record.
+    if (l == 1 % Lanes) begin : gen_pixels
+      // verilator lint_off UNUSEDSIGNAL
+      gloss_pkg::pixels_small_t pixels;
+      // verilator lint_on UNUSEDSIGNAL
+      logic [6:0] last_pixels;
+      logic       pixels_here_q, many;  // many: rows that no words are sent for
+
+      always_ff @(posedge clk_i) begin
+        if (start_i) pixels_here_q <= is_small && Lanes > 1;
+        else if (take_i)
+          pixels_here_q <= Lanes == 1 && part_q == gloss_pkg::PART_SMALL && row_q == 5'd1;
+      end
+
+      assign pixels = value;
+      assign last_pixels = 7'(pixels.first_row) + 7'(pixels.last_row);
+      assign many = !small_header.row_words[2] &&
+                    pixels.last_row > {small_header.row_words[1:0], 2'b01};
+      assign bad_pixels = pixels_here_q && (many || (last_pixels & PastTile) != '0);
+    end
+
     assign value = data_i[32*l +: 32];
     assign last_row = {1'b0, value[21:16]} + {1'b0, value[29:24]};
-    assign bad_lane[l] = (value & reserved_q) != '0 || (rows_here_q && (last_row & PastTile) != '0);
+    assign bad_lane[l] = (value & reserved_q) != '0 ||
+                         (rows_here_q && (last_row & PastTile) != '0) ||
+                         (l == 1 % Lanes && bad_pixels);
   end
 
   always_comb begin

@@ -4,8 +4,8 @@
 // have copied it, rows of the next one are taken, one a clock, while this one is drawn.
 //
 // Shade may read the record in the clocks after row_take_i, and relies on this: the next record's
-// header comes 1 clock after it at the earliest and so depth changes after 2 clocks, alpha and
-// colours after 3.
+// header comes 1 clock after it at the earliest and so depth and colours change after 2 clocks. A
+// small record has its depth beside the header, so that waits a clock on its way.
 module raster_load #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32,
@@ -32,6 +32,12 @@ module raster_load #(
   output logic [RowBits-1:0]      last_row_o,
   output logic [5:0]              switch_row_o,
   output logic                    side_o,
+  output logic                    listed_o,   // no edges: rows are listed, from listed_x_o on
+  output logic [5:0]              listed_x_o,
+  output logic [15:0]             listed_rows_o, // rows 0 and 1
+  output logic [7:0]              listed_next_o, // row 2; and with each
+  input  logic                    listed_step_i, // of these the next one
+  input  logic                    listed_busy_i, // the walk needs them
   output gloss_pkg::scissor_rect_t scissor_o,
 
   // to raster_row
@@ -56,19 +62,20 @@ module raster_load #(
   // ---- the op in hand ----
   // It is decoded on its way into registers, so that few gates are left before the many enables.
   logic                  held_q, header_q, go_q, set_q, end_q;
-  logic [3:0]            part_q; // payload, by PART_*
-  logic [1:0]            what_q; // STATE_*
+  logic [6:0]            part_q; // payload, by PART_*
+  logic [2:0]            what_q; // STATE_*
   logic [4:0]            row_q;
   logic [StreamBits-1:0] data_q;
   logic                  bank_q;
 
   logic                  walk_full_q, row_full_q, open;
   logic                  take_header, take_go, take_set, take_end;
-  logic [3:0]            take_part;
+  logic [6:0]            take_part;
 
-  assign open = !walk_full_q && !row_full_q;
+  assign open = !walk_full_q && !row_full_q &&
+                !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i);
   assign ready_o = !held_q || open;
-  assign idle_o = !held_q && open;
+  assign idle_o = !held_q && !walk_full_q && !row_full_q;
   assign walk_valid_o = walk_full_q;
   assign row_valid_o = row_full_q;
 
@@ -84,8 +91,9 @@ module raster_load #(
     end else if (ready_o) begin
       held_q <= valid_i;
       header_q <= valid_i && op_i.kind == gloss_pkg::RENDER_HEADER;
-      for (int p = 0; p < 4; p++) begin
-        part_q[p] <= valid_i && op_i.kind == gloss_pkg::RENDER_PAYLOAD && op_i.part == 2'(p);
+      for (int p = 0; p < 7; p++) begin
+        part_q[p] <= valid_i && op_i.part == 3'(p) && (op_i.kind == gloss_pkg::RENDER_PAYLOAD ||
+                                                       op_i.kind == gloss_pkg::RENDER_HEADER);
       end
       go_q <= valid_i && op_i.kind == gloss_pkg::RENDER_GO;
       set_q <= valid_i && op_i.kind == gloss_pkg::RENDER_STATE;
@@ -162,26 +170,50 @@ module raster_load #(
 
   // ---- header ----
   gloss_pkg::triangle_header_t header;
-  logic                        compact_q, covering_q, alpha_linear_q;
+  gloss_pkg::triangle_small_header_t small_header;
+  logic                        is_small, compact_q, covering_q, listed_q, alpha_linear_q;
   logic [1:0]                  shading_q;
   logic [7:0]                  alpha_constant_q;
   logic                        unused_header;
 
   assign header = data_q[31:0];
-  assign unused_header = ^{header.opcode, header.length};
+  assign small_header = data_q[31:0];
+  assign unused_header = ^{header.opcode, header.length, small_header};
+  assign is_small = part_q[gloss_pkg::PART_SMALL];
   assign covering_o = covering_q;
+  assign listed_o = listed_q;
 
   always_ff @(posedge clk_i) begin
     if (take_header) begin
-      compact_q <= header.geometry == gloss_pkg::GEOMETRY_COMPACT;
-      covering_q <= header.geometry == gloss_pkg::GEOMETRY_COVERING;
-      shading_q <= header.shading;
-      alpha_linear_q <= header.alpha_linear;
+      listed_q <= is_small;
+      compact_q <= !is_small && header.geometry == gloss_pkg::GEOMETRY_COMPACT;
+      covering_q <= !is_small && header.geometry == gloss_pkg::GEOMETRY_COVERING;
+      shading_q <= is_small ? small_header.shading : header.shading;
+      alpha_linear_q <= !is_small && header.alpha_linear;
       alpha_constant_q <= header.alpha;
     end
   end
 
   // ---- the parts ----
+  logic                     take_pixels;
+  gloss_pkg::pixels_small_t pixels;
+
+  raster_load_rows #(
+    .StreamBits(StreamBits)
+  ) u_rows (
+    .clk_i      (clk_i),
+    .head_i     (take_part[gloss_pkg::PART_SMALL]),
+    .rows_i     (take_part[gloss_pkg::PART_SMALL_ROWS]),
+    .row_i      (row_q),
+    .data_i     (data_q),
+    .step_i     (listed_step_i),
+    .take_o     (take_pixels),
+    .pixels_o   (pixels),
+    .x_o        (listed_x_o),
+    .head_rows_o(listed_rows_o),
+    .next_row_o (listed_next_o)
+  );
+
   raster_load_edges #(
     .TileSize  (TileSize),
     .StreamBits(StreamBits)
@@ -192,6 +224,8 @@ module raster_load #(
     .row_i       (row_q),
     .data_i      (data_q),
     .compact_i   (compact_q),
+    .small_i     (take_pixels),
+    .pixels_i    (pixels),
     .left_o      (left_o),
     .right_o     (right_o),
     .middle_o    (middle_o),
@@ -214,6 +248,7 @@ module raster_load #(
   ) u_depth (
     .clk_i    (clk_i),
     .write_i  (take_part[gloss_pkg::PART_DEPTH]),
+    .small_i  (take_part[gloss_pkg::PART_SMALL]),
     .row_i    (row_q),
     .data_i   (data_q),
     .compact_i(compact_q),
@@ -222,7 +257,8 @@ module raster_load #(
 
   // A part that is not sent is set at the colour part's first row.
   logic set_constant;
-  assign set_constant = take_part[gloss_pkg::PART_COLOUR] && row_q == '0 && !alpha_linear_q;
+  assign set_constant = (take_part[gloss_pkg::PART_COLOUR] ||
+                         take_part[gloss_pkg::PART_SMALL_COLOUR]) && row_q == '0 && !alpha_linear_q;
 
   raster_load_alpha #(
     .StreamBits(StreamBits)
@@ -238,6 +274,15 @@ module raster_load #(
     .dy_o      (alpha_dy_o)
   );
 
+  // The scale of a small record's slopes comes with the first of its colour's words.
+  logic [1:0] slope_scale_q, slope_scale;
+
+  assign slope_scale = row_q == '0 ? data_q[31:30] : slope_scale_q;
+
+  always_ff @(posedge clk_i) begin
+    if (take_part[gloss_pkg::PART_SMALL_COLOUR]) slope_scale_q <= slope_scale;
+  end
+
   localparam int unsigned SurfaceBits = $bits(red_o);
   logic [3*SurfaceBits-1:0] surfaces;
 
@@ -248,6 +293,8 @@ module raster_load #(
     ) u_colour (
       .clk_i    (clk_i),
       .write_i  (take_part[gloss_pkg::PART_COLOUR]),
+      .small_i  (take_part[gloss_pkg::PART_SMALL_COLOUR]),
+      .scale_i  (slope_scale),
       .row_i    (row_q),
       .data_i   (data_q),
       .shading_i(shading_q),
@@ -273,6 +320,8 @@ module raster_load #(
       colour_three_clocks_late: assert (
           !(take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_ALPHA]) ||
           !(row_take_i || row_taken_q != '0));
+      small_colour_two_clocks_late: assert (!take_part[gloss_pkg::PART_SMALL_COLOUR] ||
+                                            !(row_take_i || row_taken_q[0]));
       alpha_set_once: assert (!(set_constant && take_part[gloss_pkg::PART_ALPHA]));
     end
   end

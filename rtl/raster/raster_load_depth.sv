@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The depth part of a record. Wide: 40 bits each, the high bytes in a fourth word. Compact: a word
-// each, sign-extended and shifted left.
+// each, sign-extended and shifted left. Small: a word for z, one for both differences and their
+// scale, in the third and fourth word of PART_SMALL; these are changed two clocks after small_i.
 module raster_load_depth #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -8,6 +9,7 @@ module raster_load_depth #(
 
   // from raster_load
   input  logic                    write_i,
+  input  logic                    small_i,
   input  logic [4:0]              row_i,
   input  logic [StreamBits-1:0]   data_i,
   input  logic                    compact_i,
@@ -29,19 +31,40 @@ module raster_load_depth #(
   assign take_high = write_i && row_i == 5'(3/Lanes);
   assign unused_high = ^high;
 
+  // ---- small: the words, and a clock later what they mean ----
+  logic                    small_z_q, small_slopes_q;
+  gloss_pkg::depth_small_t small_q;
+  logic [5:0]              small_shift;
+  logic [$bits(depth_o)-1:0] small_plane;
+
+  always_ff @(posedge clk_i) begin
+    small_z_q <= small_i && row_i == 5'(2/Lanes);
+    small_slopes_q <= small_i && row_i == 5'(3/Lanes);
+    small_q <= {data_i[32*(3%Lanes) +: 32], data_i[32*(2%Lanes) +: 32]};
+  end
+
+  assign small_shift = 6'(gloss_pkg::SmallDepthShift) +
+                       6'(small_q.scale) * 6'(gloss_pkg::SmallDepthScaleShift);
+  assign small_plane = {CoefficientBits'(small_q.z) << gloss_pkg::SmallDepthShift,
+                        CoefficientBits'(small_q.dx) << small_shift,
+                        CoefficientBits'(small_q.dy) << small_shift};
+
   for (genvar n = 0; n < 3; n++) begin : gen_word
     logic [31:0] word;
-    logic        take;
+    logic        take, take_small;
     logic [CoefficientBits-1:0] value_q;
 
     assign word = data_i[32*(n%Lanes) +: 32];
     assign take = write_i && row_i == 5'(n/Lanes);
+
+    assign take_small = n == 0 ? small_z_q : small_slopes_q;
 
     always_ff @(posedge clk_i) begin
       if (take) value_q[31:0] <= compact_i ? {word[31-Low:0], {Low{1'b0}}} : word;
       if (compact_i ? take : take_high) begin
         value_q[39:32] <= compact_i ? {{(8-Low){word[31]}}, word[31:32-Low]} : high[8*n +: 8];
       end
+      if (take_small) value_q <= small_plane[CoefficientBits*(2-n) +: CoefficientBits];
     end
 
     assign plane[CoefficientBits*(2-n) +: CoefficientBits] = value_q;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The edge part of a record, from either form. clear_i makes its rows those of a covering triangle.
+// A small record has no edges, only rows, and in left.x where its first one begins.
 module raster_load_edges #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32,
@@ -13,6 +14,8 @@ module raster_load_edges #(
   input  logic [4:0]             row_i,
   input  logic [StreamBits-1:0]  data_i,
   input  logic                   compact_i,
+  input  logic                   small_i,   // pixels_i; beside clear_i, too
+  input  gloss_pkg::pixels_small_t pixels_i,
 
   // to raster_walk and raster_row
   output gloss_pkg::edge_line_t  left_o,
@@ -29,8 +32,13 @@ module raster_load_edges #(
   localparam int unsigned LineBits = $bits(left_o);
 
   logic [3*LineBits-1:0]       lines;
+  logic [6:0]                  listed_left;
+  logic                        unused_pixels;
   logic [1:0]                  take_rows; // the word with the rows, that with the switch
   logic [63:0]                 rows_word;
+
+  assign listed_left = 7'(pixels_i.x) + 7'(pixels_i.first_0);
+  assign unused_pixels = ^pixels_i;
 
   // Left, right, middle: three words of a wide edge, two of a compact one. What else is in those
   // words is at the same bits in both forms: in the last word of a wide edge, in the second of a
@@ -56,7 +64,9 @@ module raster_load_edges #(
     assign unused = ^{wide_x, wide_dy, compact_rmd, compact_x};
 
     always_ff @(posedge clk_i) begin
-      if (take_x) begin
+      if (e == 0 && small_i) begin
+        x_q <= {6'd0, listed_left};
+      end else if (take_x) begin
         x_q <= compact_i ? {{5{compact_x[7]}}, compact_x[7:0]} : wide_x[12:0];
         step_q <= compact_i ? {{5{compact_x[15]}}, compact_x[15:8]} : wide_x[28:16];
       end
@@ -81,7 +91,10 @@ module raster_load_edges #(
   assign unused_rows = ^rows_word;
 
   always_ff @(posedge clk_i) begin
-    if (clear_i) begin
+    if (small_i) begin
+      first_row_o <= pixels_i.first_row[RowBits-1:0];
+      last_row_o <= RowBits'(pixels_i.last_row);
+    end else if (clear_i) begin
       first_row_o <= '0;
       last_row_o <= RowBits'(TileSize - 1);
     end else if (take_rows[0]) begin

@@ -22,6 +22,12 @@ module raster_walk #(
   input  gloss_pkg::edge_line_t right_i,
   input  gloss_pkg::edge_line_t middle_i,
   input  logic                  covering_i,  // whole rows, no edges
+  input  logic                  listed_i,    // rows that are listed, no edges
+  input  logic [5:0]            listed_x_i,
+  input  logic [15:0]           listed_rows_i, // the first two
+  input  logic [7:0]            listed_next_i, // the row after those that are here
+  output logic                  listed_step_o, // it is taken
+  output logic                  listed_busy_o,
   input  logic [RowBits-1:0]    first_row_i,
   input  logic [RowBits-1:0]    last_row_i,
   input  logic [5:0]            switch_row_i,
@@ -50,6 +56,9 @@ module raster_walk #(
   logic       next_switches, switched_q;
   logic [5:0] switch_count_q;
   logic [RowBits-1:0] row_q, rows_left_q;
+  logic               listed_q;
+  logic [5:0]         listed_x_q;
+  logic [15:0]        listed_rows_q;  // this row, the next one
 
   gloss_pkg::scissor_rect_t      scissor_q;
   gloss_pkg::edge_line_t middle_q;
@@ -68,6 +77,9 @@ module raster_walk #(
     if (take_o) begin
       middle_q <= middle_i;
       covering_q <= covering_i;
+      listed_q <= listed_i;
+      listed_x_q <= listed_x_i;
+      listed_rows_q <= listed_rows_i;
       side_q <= side_i;
       scissor_q <= scissor_i;
       row_q <= first_row_i;
@@ -79,6 +91,7 @@ module raster_walk #(
       rows_left_q <= rows_left_q - 1'b1;
       switch_count_q <= switch_count_q - 1'b1;
       switched_q <= next_switches;
+      listed_rows_q <= {listed_next_i, listed_rows_q[15:8]};
       first_q <= 1'b0;
     end
   end
@@ -94,7 +107,11 @@ module raster_walk #(
     end
   end
 
+  assign listed_step_o = step_r && listed_q;
+  assign listed_busy_o = busy_q && listed_q;
+
   // ---- 2nd stage: columns, 13 bits ----
+  logic [6:0]         listed_left_q, listed_right_q;
   logic signed [12:0] left_x, right_x;
   logic               edge_last_q, edge_inside_q;
 
@@ -151,8 +168,10 @@ module raster_walk #(
 
       column_last_q <= edge_last_q;
       column_inside_q <= edge_inside_q;
-      column_left_q <= covering_q ? 7'd0 : column(left_x);
-      column_right_q <= covering_q ? 7'd127 : column(right_x);
+      listed_left_q <= 7'(listed_x_q) + 7'(listed_rows_q[3:0]);
+      listed_right_q <= 7'(listed_x_q) + 7'(listed_rows_q[7:4]) + 7'd1;
+      column_left_q <= covering_q ? 7'd0 : listed_q ? listed_left_q : column(left_x);
+      column_right_q <= covering_q ? 7'd127 : listed_q ? listed_right_q : column(right_x);
 
       clip_last_q <= column_last_q;
       clip_inside_q <= column_inside_q;

@@ -12,27 +12,31 @@
 
 enum { ROW = STREAM / 32 };
 
+/* Parts of a triangle's payload, as in gloss_pkg.sv. */
+enum { EDGES, DEPTH, ALPHA, COLOUR, SMALL, SMALL_COLOUR, SMALL_ROWS, PART_NONE };
+
 /* Collects a triangle's rows; its words are right only once RENDER_GO has come. */
 class Record
 {
       public:
-	void begin(uint32_t word)
+	template <class Data> void begin(unsigned int part, const Data &data)
 	{
-		gloss_triangle p;
+		uint32_t word = tb_get(data, 0, 32);
+		bool is_small = gloss_header_opcode(word) == GLOSS_OP_TRIANGLE_SMALL;
 
-		words = { GO, word };
+		words = { GO };
 		valid = gloss_header_valid(word);
-		gloss_triangle_unpack(&word, &p);
-		bool wide = p.geometry == GLOSS_GEOMETRY_WIDE;
-		bool compact = p.geometry == GLOSS_GEOMETRY_COMPACT;
-
-		left[0] = wide ? GLOSS_EDGES_WIDE_WORDS : compact ? GLOSS_EDGES_COMPACT_WORDS : 0;
-		left[1] = compact ? GLOSS_DEPTH_COMPACT_WORDS : GLOSS_DEPTH_WIDE_WORDS;
-		left[2] = p.alpha_linear ? GLOSS_ALPHA_LINEAR_WORDS : 0;
-		left[3] = p.shading == GLOSS_SHADING_FLAT   ? GLOSS_COLOUR_FLAT_WORDS :
-			  p.shading == GLOSS_SHADING_LINEAR ? GLOSS_COLOUR_LINEAR_WORDS :
-							      GLOSS_COLOUR_SECOND_ORDER_WORDS;
 		row = 0;
+		for (unsigned int &count : left)
+			count = 0;
+		TB_CHECK(part == (is_small ? SMALL : PART_NONE), "a header of part %u", part);
+		if (is_small) {
+			begin_small(word);
+			add(SMALL, 0, data);
+		} else {
+			begin_large(word);
+			words.push_back(word);
+		}
 	}
 
 	template <class Data> void add(unsigned int part, unsigned int at, const Data &data)
@@ -41,7 +45,7 @@ class Record
 
 		if (!valid)
 			return;
-		while (expected < 3 && !left[expected])
+		while (expected < SMALL_ROWS && !left[expected])
 			expected++;
 		TB_CHECK(part == expected, "row of part %u instead of %u", part, expected);
 		TB_CHECK(at == row, "row %u instead of %u of part %u", at, row, part);
@@ -53,7 +57,36 @@ class Record
 	std::vector<uint64_t> words;
 
       private:
-	unsigned int left[4], row;
+	void begin_small(uint32_t word)
+	{
+		gloss_triangle_small p;
+
+		gloss_triangle_small_unpack(&word, &p);
+		left[SMALL] = 1 + GLOSS_PIXELS_SMALL_WORDS + GLOSS_DEPTH_SMALL_WORDS;
+		left[SMALL_COLOUR] =
+			p.shading == GLOSS_SHADING_FLAT   ? GLOSS_COLOUR_FLAT_WORDS :
+			p.shading == GLOSS_SHADING_LINEAR ? GLOSS_COLOUR_LINEAR_SMALL_WORDS :
+							    GLOSS_COLOUR_SECOND_ORDER_SMALL_WORDS;
+		left[SMALL_ROWS] = p.row_words;
+	}
+
+	void begin_large(uint32_t word)
+	{
+		gloss_triangle p;
+
+		gloss_triangle_unpack(&word, &p);
+		bool wide = p.geometry == GLOSS_GEOMETRY_WIDE;
+		bool compact = p.geometry == GLOSS_GEOMETRY_COMPACT;
+
+		left[0] = wide ? GLOSS_EDGES_WIDE_WORDS : compact ? GLOSS_EDGES_COMPACT_WORDS : 0;
+		left[1] = compact ? GLOSS_DEPTH_COMPACT_WORDS : GLOSS_DEPTH_WIDE_WORDS;
+		left[2] = p.alpha_linear ? GLOSS_ALPHA_LINEAR_WORDS : 0;
+		left[3] = p.shading == GLOSS_SHADING_FLAT   ? GLOSS_COLOUR_FLAT_WORDS :
+			  p.shading == GLOSS_SHADING_LINEAR ? GLOSS_COLOUR_LINEAR_WORDS :
+							      GLOSS_COLOUR_SECOND_ORDER_WORDS;
+	}
+
+	unsigned int left[PART_NONE], row;
 	bool valid; /* else the rows have no meaning, and no RENDER_GO */
 };
 
@@ -177,12 +210,12 @@ inline void CommandBench::drive(const accel_job &job)
 
 inline void CommandBench::sample_render()
 {
-	unsigned int kind = tb_get(top.render_op_o, 7, 3), part = tb_get(top.render_op_o, 5, 2);
+	unsigned int kind = tb_get(top.render_op_o, 8, 3), part = tb_get(top.render_op_o, 5, 3);
 	uint64_t word = tb_get(top.render_data_o, 0, 32);
 
 	switch (kind) {
 	case HEADER:
-		return record.begin(word);
+		return record.begin(part, top.render_data_o);
 	case PAYLOAD:
 		return record.add(part, tb_get(top.render_op_o, 0, 5), top.render_data_o);
 	case GO:

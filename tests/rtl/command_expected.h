@@ -144,6 +144,7 @@ class Walker
 		case GLOSS_OP_SCISSOR:
 			return out.render.push_back({ STATE, STATE_SCISSOR, packet[1] });
 		case GLOSS_OP_TRIANGLE:
+		case GLOSS_OP_TRIANGLE_SMALL:
 			out.render.push_back({ GO });
 			for (uint32_t n = 0; n <= gloss_header_length(*packet); n++)
 				out.render.back().push_back(packet[n]);

@@ -200,6 +200,29 @@ class CommandStream
 			       random.below(tile - first + random.chance(2)));
 	}
 
+	void triangle_small()
+	{
+		gloss_triangle_small p = {};
+		gloss_pixels_small pixels;
+		uint32_t word, start = (uint32_t)words.size();
+
+		p.shading = (gloss_shading)random.below(3);
+		p.row_words = (gloss_row_words)random.below(5);
+		p.alpha = random.below(256);
+		gloss_triangle_small_pack(&word, &p);
+		words.push_back(word);
+		fill(gloss_triangle_small_length(&p));
+		gloss_pixels_small_unpack(&words[start + 1], &pixels);
+		pixels.last_row = random.below(GLOSS_SMALL_HEAD_ROWS +
+					       GLOSS_SMALL_WORD_ROWS * p.row_words +
+					       random.chance(2));
+		if (!random.chance(2))
+			pixels.first_row = random.below(tile - pixels.last_row % 16);
+		gloss_pixels_small_pack(&words[start + 1], &pixels);
+		if (p.shading == GLOSS_SHADING_FLAT)
+			words[start + 4] &= 0x00ffffff;
+	}
+
 	/* Turns random words into a right payload. */
 	void clear_reserved(uint32_t *payload, const gloss_triangle &p, uint32_t first,
 			    uint32_t rows)
@@ -268,7 +291,7 @@ class CommandStream
 		case 7:
 			return in_tile ? tile_end() : between_tiles();
 		default:
-			return in_tile ? triangle() : between_tiles();
+			return !in_tile ? between_tiles() : kind & 1 ? triangle() : triangle_small();
 		}
 	}
 

@@ -4,7 +4,7 @@
 
 RASTER_SOURCES = rtl/gloss_pkg.sv $(sort $(wildcard rtl/raster/*.sv rtl/shade/*.sv)) \
 	rtl/lib/stream_fifo.sv
-RASTER_MODEL := $(addprefix $(BUILD)/libaccel/model/,triangle.o raster.o shade.o)
+RASTER_MODEL := $(addprefix $(BUILD)/libaccel/model/,triangle.o triangle_small.o raster.o shade.o)
 RASTER_TB = tests/rtl/tb.h tests/rtl/raster_record.h
 
 # The ends of the parameters for every check, all that are built in the longer target.

@@ -139,7 +139,8 @@ template <typename Group> void edges_set(Group &g, const model_triangle &t)
 /* A packet and where its parts begin. */
 struct Record {
 	std::vector<uint32_t> header;
-	std::vector<uint32_t> part[4]; /* edges, depth, alpha, colour */
+	/* edges, depth, alpha, colour; of a small one header to depth, colour, rows */
+	std::vector<uint32_t> part[7];
 
 	std::vector<uint32_t> packet() const
 	{
@@ -199,8 +200,56 @@ inline Record record_make(Random &random, const model_triangle &t, enum gloss_ge
 	return record;
 }
 
+/* A row of a small record, mostly with pixels. */
+inline uint32_t row_random(Random &random)
+{
+	uint32_t first = random.below(16), last = random.below(16);
+
+	if (last < first && random.chance(80))
+		std::swap(first, last);
+	return last << 4 | first;
+}
+
+inline Record record_small_make(Random &random, uint32_t first_row, unsigned int rows,
+				enum gloss_shading shading)
+{
+	static const unsigned int colour_words[] = { GLOSS_COLOUR_FLAT_WORDS,
+						     GLOSS_COLOUR_LINEAR_SMALL_WORDS,
+						     GLOSS_COLOUR_SECOND_ORDER_SMALL_WORDS };
+	struct gloss_triangle_small header = { .shading = shading };
+	struct gloss_pixels_small pixels = {};
+	Record record;
+
+	header.row_words = (enum gloss_row_words)((rows + 1) / 4);
+	header.alpha = random.below(256);
+	pixels.x = random.below(64);
+	pixels.first_row = first_row, pixels.last_row = rows - 1;
+	pixels.first_0 = random.below(16), pixels.last_0 = random.between(pixels.first_0, 15);
+	pixels.first_1 = random.below(16), pixels.last_1 = random.below(16);
+	record.part[4].resize(2);
+	gloss_triangle_small_pack(&record.part[4][0], &header);
+	gloss_pixels_small_pack(&record.part[4][1], &pixels);
+	surface_words(random, record.part[4], GLOSS_DEPTH_SMALL_WORDS);
+	surface_words(random, record.part[5], colour_words[shading]);
+	for (uint32_t n = 0; n < header.row_words; n++)
+		record.part[6].push_back(row_random(random) | row_random(random) << 8 |
+					 row_random(random) << 16 | row_random(random) << 24);
+	return record;
+}
+
+inline Record record_small_random(Random &random, int tile_size)
+{
+	unsigned int rows = random.between(1, random.chance(50) ? 3 : 16);
+
+	return record_small_make(random, random.below(tile_size - rows + 1), rows,
+				 (enum gloss_shading)random.below(3));
+}
+
 inline Record record_random(Random &random, int tile_size)
 {
+	if (random.chance(50))
+		return record_small_random(random, tile_size);
+
 	model_triangle t = {};
 	enum gloss_geometry geometry = GLOSS_GEOMETRY_COVERING;
 

@@ -10,7 +10,7 @@
 #include "raster_record.h"
 
 enum Kind { HEADER, PAYLOAD, GO, STATE, END }; /* gloss_pkg::RENDER_* */
-enum Part { EDGES, DEPTH, ALPHA, COLOUR };
+enum Part { EDGES, DEPTH, ALPHA, COLOUR, SMALL, SMALL_COLOUR, SMALL_ROWS, PART_NONE };
 enum StatePart { STATE_DEPTH, STATE_MASK, STATE_SCISSOR, STATE_RESET };
 
 static const unsigned int words_per_row = STREAM / 32;
@@ -80,7 +80,7 @@ public:
 	{
 		Event event = {};
 
-		put(END, random.below(4), 0, random.bits());
+		put(END, random.below(8), 0, random.bits());
 		event.end = true;
 		event.bank = bank;
 		events.push_back(event);
@@ -119,13 +119,15 @@ private:
 
 	void triangle_rows(const Record &record, unsigned int limit)
 	{
-		put(HEADER, random.below(4), 0, record.header[0]);
-		for (unsigned int part = 0; part < 4; part++) {
+		if (!record.header.empty())
+			put(HEADER, PART_NONE, 0, record.header[0]);
+		for (unsigned int part = 0; part < PART_NONE; part++) {
 			const std::vector<uint32_t> &words = record.part[part];
 
 			for (unsigned int at = 0; at < words.size() && limit;
 			     at += words_per_row, limit--) {
-				put(PAYLOAD, part, at / words_per_row, 0);
+				put(part == SMALL && !at ? HEADER : PAYLOAD, part,
+				    at / words_per_row, 0);
 				for (unsigned int n = 0; n < words_per_row && at + n < words.size();
 				     n++)
 					ops.back().data[n] = words[at + n];
@@ -141,7 +143,10 @@ private:
 		model_span span;
 		bool first = true;
 
-		model_triangle_unpack(packet.data(), TILE, &triangle);
+		if (record.header.empty())
+			model_triangle_small_unpack(packet.data(), &triangle);
+		else
+			model_triangle_unpack(packet.data(), TILE, &triangle);
 		model_raster_begin(&walk, &triangle);
 		while (model_raster_next(&walk, &scissor, &span)) {
 			expect_row(triangle, span, first);
@@ -236,7 +241,7 @@ private:
 	Op noise()
 	{
 		return { random.below(8),
-			 random.below(4),
+			 random.below(8),
 			 random.below(32),
 			 random.below(2),
 			 { random.bits(), random.bits(), random.bits(), random.bits() } };
@@ -244,7 +249,7 @@ private:
 
 	void drive(const Op &op)
 	{
-		bench.top.op_i = op.kind << 7 | op.part << 5 | op.row;
+		bench.top.op_i = op.kind << 8 | op.part << 5 | op.row;
 		bench.top.bank_i = op.bank;
 		for (unsigned int n = 0; n < words_per_row; n++)
 			tb_set(bench.top.data_i, 32 * n, 32, op.data[n]);

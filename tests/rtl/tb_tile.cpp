@@ -116,7 +116,7 @@ private:
 		offered_op |= !queue.empty() && !hold(queue_stall);
 		top.render_valid_i = offered_op;
 		if (offered_op) {
-			top.render_op_i = queue.front().kind << 7 | (random.bits() & 0x7f);
+			top.render_op_i = queue.front().kind << 8 | (random.bits() & 0xff);
 			top.render_data_i = queue.front().data;
 		}
 	}

@@ -109,6 +109,7 @@ uint32_t grammar_weight(const struct grammar *g, const struct table_packet *pack
 	case GLOSS_OP_TILE_END:
 		return g->in_tile ? 4 : 0;
 	case GLOSS_OP_TRIANGLE:
+	case GLOSS_OP_TRIANGLE_SMALL:
 		return g->in_tile ? 16 : 0;
 	default:
 		return 2;
@@ -269,11 +270,31 @@ void grammar_sense_packet(struct grammar *g, const struct table_packet *packet, 
 	}
 }
 
-/* Of the parts only edges have a rule; and most shall have pixels. */
+/* Rows stay in the tile, and are no more than there are words for; the header is before this. */
+static void sense_pixels(struct grammar *g, const struct table_record *part, uint32_t at)
+{
+	uint32_t first = grammar_get(g, part, at, "first_row");
+	uint32_t last = grammar_get(g, part, at, "last_row");
+	uint32_t sent = GLOSS_SMALL_HEAD_ROWS +
+			GLOSS_SMALL_WORD_ROWS * (g->words[at - 1] >> 13 & 7);
+
+	if (last >= sent && !grammar_breaks(g, RULE))
+		grammar_put(g, part, at, "last_row", last %= sent);
+	if (first + last >= g->tile_size && !grammar_breaks(g, RULE))
+		grammar_put(g, part, at, "first_row", first % (g->tile_size - last));
+	if (grammar_once(g, 2)) {
+		grammar_put(g, part, at, "first_0", 0);
+		grammar_put(g, part, at, "last_1", 15);
+	}
+}
+
+/* Of the parts only edges and rows have a rule; and most shall have pixels. */
 void grammar_sense_part(struct grammar *g, const struct table_record *part, uint32_t at)
 {
 	uint32_t first, last;
 
+	if (strcmp(part->name, "pixels_small") == 0)
+		sense_pixels(g, part, at);
 	if (strncmp(part->name, "edges", 5) != 0)
 		return;
 	first = grammar_get(g, part, at, "first_row");

@@ -6,7 +6,7 @@
 STREAM_GROUPS ?= 200
 # Random jobs, for whoever compares engines.
 STREAM_RANDOM_OBJS := $(addprefix $(BUILD)/tests/stream/, stream_random.o stream_random_triangle.o \
-	stream_random_damage.o)
+	stream_random_small.o stream_random_damage.o)
 
 $(BUILD)/tests/stream/test_stream: private LIBS := -ldl
 $(BUILD)/tests/stream/test_stream: $(STREAM_RANDOM_OBJS) $(DECODE_OBJECTS) $(MODEL_OBJS)

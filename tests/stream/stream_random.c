@@ -398,7 +398,10 @@ static void random_tile(struct stream_random *r)
 			anywhere[below(r, sizeof(anywhere) / sizeof(*anywhere))](r);
 			continue;
 		}
-		stream_random_triangle(r);
+		if (chance(r, 40))
+			stream_random_small(r);
+		else
+			stream_random_triangle(r);
 		triangles--;
 	}
 	random_tile_end(r);

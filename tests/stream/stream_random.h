@@ -67,6 +67,8 @@ void stream_random_emit(struct stream_random *r, uint32_t word);
 
 /* stream_random_triangle.c: appends a TRIANGLE. */
 void stream_random_triangle(struct stream_random *r);
+/* stream_random_small.c: appends a TRIANGLE_SMALL. */
+void stream_random_small(struct stream_random *r);
 
 #ifdef __cplusplus
 }

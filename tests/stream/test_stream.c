@@ -70,6 +70,7 @@ static uint64_t bound(const struct test *test, const struct accel_job *job, bool
 	     at += 1 + gloss_header_length(job->stream[at])) {
 		switch (gloss_header_opcode(job->stream[at])) {
 		case GLOSS_OP_TRIANGLE:
+		case GLOSS_OP_TRIANGLE_SMALL:
 			clocks += rows + 3 * size + 100;
 			break;
 		case GLOSS_OP_TILE_BEGIN:

@@ -159,6 +159,7 @@ static void check_place(const struct decode *decode, struct decode_packet *packe
 		break;
 	case GLOSS_OP_TILE_END:
 	case GLOSS_OP_TRIANGLE:
+	case GLOSS_OP_TRIANGLE_SMALL:
 		if (!decode->in_tile)
 			fail(packet, GLOSS_FAULT_ORDER, 0, "%s without an open tile",
 			     packet->type->record.name);
@@ -252,6 +253,15 @@ static void check_scissor(const struct decode *decode, struct decode_packet *pac
 		     tile_edge(decode));
 }
 
+static void check_rows_in_tile(const struct decode *decode, struct decode_packet *packet,
+			       unsigned int word, uint32_t first, uint32_t last)
+{
+	if (first + last >= tile_edge(decode))
+		fail(packet, GLOSS_FAULT_VALUE, word,
+		     "first_row %" PRIu32 " + last_row %" PRIu32 " is past the tile of %" PRIu32,
+		     first, last, tile_edge(decode));
+}
+
 static void check_rows(const struct decode *decode, struct decode_packet *packet, unsigned int word)
 {
 	struct gloss_edges_compact compact;
@@ -271,10 +281,23 @@ static void check_rows(const struct decode *decode, struct decode_packet *packet
 	} else {
 		return;
 	}
-	if (first + last >= tile_edge(decode))
-		fail(packet, GLOSS_FAULT_VALUE, word,
-		     "first_row %" PRIu32 " + last_row %" PRIu32 " is past the tile of %" PRIu32,
-		     first, last, tile_edge(decode));
+	check_rows_in_tile(decode, packet, word, first, last);
+}
+
+static void check_rows_small(const struct decode *decode, struct decode_packet *packet)
+{
+	struct gloss_pixels_small pixels;
+	struct gloss_triangle_small p;
+	uint32_t sent;
+
+	gloss_triangle_small_unpack(packet->words, &p);
+	gloss_pixels_small_unpack(packet->words + 1, &pixels);
+	sent = GLOSS_SMALL_HEAD_ROWS + GLOSS_SMALL_WORD_ROWS * (uint32_t)p.row_words;
+	check_rows_in_tile(decode, packet, 1, pixels.first_row, pixels.last_row);
+	if (!packet->fault && pixels.last_row >= sent)
+		fail(packet, GLOSS_FAULT_VALUE, 1,
+		     "last_row %" PRIu32 " is past the %" PRIu32 " rows that are sent",
+		     pixels.last_row, sent);
 }
 
 static void check_by_hand(const struct decode *decode, struct decode_packet *packet,
@@ -303,6 +326,10 @@ static void check_by_hand(const struct decode *decode, struct decode_packet *pac
 		break;
 	case GLOSS_OP_TRIANGLE:
 		check_rows(decode, packet, word);
+		break;
+	case GLOSS_OP_TRIANGLE_SMALL:
+		if (word == 1)
+			check_rows_small(decode, packet);
 		break;
 	default:
 		break;

@@ -56,6 +56,18 @@ static const struct table_enum table_enum_shading = {
 	"shading", 3, table_values_shading
 };
 
+static const struct table_value table_values_row_words[] = {
+	{ 0, "none" },
+	{ 1, "one" },
+	{ 2, "two" },
+	{ 3, "three" },
+	{ 4, "four" },
+};
+
+static const struct table_enum table_enum_row_words = {
+	"row_words", 5, table_values_row_words
+};
+
 static const struct table_value table_values_tile_output[] = {
 	{ 0, "drop" },
 	{ 1, "store" },
@@ -277,6 +289,172 @@ static const struct table_field table_fields_colour_second_order[] = {
 static const struct table_record table_colour_second_order =
 	{ "colour_second_order", 18, 18, table_fields_colour_second_order };
 
+static const struct table_field table_fields_pixels_small[] = {
+	{ .name = "x", .word = 0, .high = 5, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "first_row", .word = 0, .high = 11, .low = 6,
+	  .type = TABLE_UINT, .min = 0, .max = 63 },
+	{ .name = "last_row", .word = 0, .high = 15, .low = 12,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "first_0", .word = 0, .high = 19, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "last_0", .word = 0, .high = 23, .low = 20,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "first_1", .word = 0, .high = 27, .low = 24,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+	{ .name = "last_1", .word = 0, .high = 31, .low = 28,
+	  .type = TABLE_UINT, .min = 0, .max = 15 },
+};
+
+static const struct table_record table_pixels_small =
+	{ "pixels_small", 1, 7, table_fields_pixels_small };
+
+static const struct table_field table_fields_rows_one[] = {
+	{ .name = "rows_2", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+};
+
+static const struct table_record table_rows_one =
+	{ "rows_one", 1, 1, table_fields_rows_one };
+
+static const struct table_field table_fields_rows_two[] = {
+	{ .name = "rows_2", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+	{ .name = "rows_6", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+};
+
+static const struct table_record table_rows_two =
+	{ "rows_two", 2, 2, table_fields_rows_two };
+
+static const struct table_field table_fields_rows_three[] = {
+	{ .name = "rows_2", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+	{ .name = "rows_6", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+	{ .name = "rows_10", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+};
+
+static const struct table_record table_rows_three =
+	{ "rows_three", 3, 3, table_fields_rows_three };
+
+static const struct table_field table_fields_rows_four[] = {
+	{ .name = "rows_2", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+	{ .name = "rows_6", .word = 1, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+	{ .name = "rows_10", .word = 2, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+	{ .name = "rows_14", .word = 3, .high = 31, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 4294967295, .hex = true },
+};
+
+static const struct table_record table_rows_four =
+	{ "rows_four", 4, 4, table_fields_rows_four };
+
+static const struct table_field table_fields_depth_small[] = {
+	{ .name = "z", .word = 0, .high = 31, .low = 0,
+	  .type = TABLE_INT, .min = -2147483648, .max = 2147483647, .fixed = true, .fraction = 4 },
+	{ .name = "dx", .word = 1, .high = 14, .low = 0,
+	  .type = TABLE_INT, .min = -16384, .max = 16383 },
+	{ .name = "dy", .word = 1, .high = 29, .low = 15,
+	  .type = TABLE_INT, .min = -16384, .max = 16383 },
+	{ .name = "scale", .word = 1, .high = 31, .low = 30,
+	  .type = TABLE_UINT, .min = 0, .max = 3 },
+};
+
+static const struct table_record table_depth_small =
+	{ "depth_small", 2, 4, table_fields_depth_small };
+
+static const struct table_field table_fields_colour_linear_small[] = {
+	{ .name = "red", .word = 0, .high = 9, .low = 0,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "green", .word = 0, .high = 19, .low = 10,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "blue", .word = 0, .high = 29, .low = 20,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "slope_scale", .word = 0, .high = 31, .low = 30,
+	  .type = TABLE_UINT, .min = 0, .max = 3 },
+	{ .name = "red_fraction", .word = 1, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "red_dx", .word = 1, .high = 19, .low = 8,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "red_dy", .word = 1, .high = 31, .low = 20,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "green_fraction", .word = 2, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "green_dx", .word = 2, .high = 19, .low = 8,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "green_dy", .word = 2, .high = 31, .low = 20,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "blue_fraction", .word = 3, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "blue_dx", .word = 3, .high = 19, .low = 8,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "blue_dy", .word = 3, .high = 31, .low = 20,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+};
+
+static const struct table_record table_colour_linear_small =
+	{ "colour_linear_small", 4, 13, table_fields_colour_linear_small };
+
+static const struct table_field table_fields_colour_second_order_small[] = {
+	{ .name = "red", .word = 0, .high = 9, .low = 0,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "green", .word = 0, .high = 19, .low = 10,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "blue", .word = 0, .high = 29, .low = 20,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "slope_scale", .word = 0, .high = 31, .low = 30,
+	  .type = TABLE_UINT, .min = 0, .max = 3 },
+	{ .name = "red_fraction", .word = 1, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "red_dx", .word = 1, .high = 19, .low = 8,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "red_dy", .word = 1, .high = 31, .low = 20,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "green_fraction", .word = 2, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "green_dx", .word = 2, .high = 19, .low = 8,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "green_dy", .word = 2, .high = 31, .low = 20,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "blue_fraction", .word = 3, .high = 7, .low = 0,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+	{ .name = "blue_dx", .word = 3, .high = 19, .low = 8,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "blue_dy", .word = 3, .high = 31, .low = 20,
+	  .type = TABLE_INT, .min = -2048, .max = 2047 },
+	{ .name = "red_dxx", .word = 4, .high = 9, .low = 0,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "red_dxy", .word = 4, .high = 19, .low = 10,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "red_dyy", .word = 4, .high = 29, .low = 20,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "red_scale", .word = 4, .high = 31, .low = 30,
+	  .type = TABLE_UINT, .min = 0, .max = 3 },
+	{ .name = "green_dxx", .word = 5, .high = 9, .low = 0,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "green_dxy", .word = 5, .high = 19, .low = 10,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "green_dyy", .word = 5, .high = 29, .low = 20,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "green_scale", .word = 5, .high = 31, .low = 30,
+	  .type = TABLE_UINT, .min = 0, .max = 3 },
+	{ .name = "blue_dxx", .word = 6, .high = 9, .low = 0,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "blue_dxy", .word = 6, .high = 19, .low = 10,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "blue_dyy", .word = 6, .high = 29, .low = 20,
+	  .type = TABLE_INT, .min = -512, .max = 511 },
+	{ .name = "blue_scale", .word = 6, .high = 31, .low = 30,
+	  .type = TABLE_UINT, .min = 0, .max = 3 },
+};
+
+static const struct table_record table_colour_second_order_small =
+	{ "colour_second_order_small", 7, 25, table_fields_colour_second_order_small };
+
 static const struct table_field table_fields_write_memory[] = {
 	{ .name = "slot", .word = 1, .high = 3, .low = 0,
 	  .type = TABLE_UINT, .min = 0, .max = 15 },
@@ -381,6 +559,27 @@ static const struct table_part table_parts_triangle[] = {
 	{ &table_colour_second_order, 14, 13, 2, false },
 };
 
+static const struct table_field table_fields_triangle_small[] = {
+	{ .name = "shading", .word = 0, .high = 12, .low = 11,
+	  .type = TABLE_ENUM, .min = 0, .max = 3, .enumeration = &table_enum_shading },
+	{ .name = "row_words", .word = 0, .high = 15, .low = 13,
+	  .type = TABLE_ENUM, .min = 0, .max = 7, .enumeration = &table_enum_row_words },
+	{ .name = "alpha", .word = 0, .high = 23, .low = 16,
+	  .type = TABLE_UINT, .min = 0, .max = 255 },
+};
+
+static const struct table_part table_parts_triangle_small[] = {
+	{ &table_pixels_small, 0, 0, 0, true },
+	{ &table_depth_small, 0, 0, 0, true },
+	{ &table_colour_flat, 12, 11, 0, false },
+	{ &table_colour_linear_small, 12, 11, 1, false },
+	{ &table_colour_second_order_small, 12, 11, 2, false },
+	{ &table_rows_one, 15, 13, 1, false },
+	{ &table_rows_two, 15, 13, 2, false },
+	{ &table_rows_three, 15, 13, 3, false },
+	{ &table_rows_four, 15, 13, 4, false },
+};
+
 static const struct table_packet table_packets[] = {
 	{ 0x00, 0, { "nop", 0, 0, 0 },
 	  0, 0, true },
@@ -406,6 +605,8 @@ static const struct table_packet table_packets[] = {
 	  0, 0, false },
 	{ 0x30, 0, { "triangle", 0, 4, table_fields_triangle },
 	  table_parts_triangle, 9, true },
+	{ 0x32, 0, { "triangle_small", 0, 3, table_fields_triangle_small },
+	  table_parts_triangle_small, 9, true },
 };
 
 #endif

@@ -10,6 +10,9 @@
 #define TRIANGLE(geometry, shading)                                                      \
 	((uint32_t)GLOSS_OP_TRIANGLE << 24 | (uint32_t)GLOSS_GEOMETRY_##geometry << 11 | \
 	 (uint32_t)GLOSS_SHADING_##shading << 13)
+#define TRIANGLE_SMALL(row_words, shading)                                                   \
+	((uint32_t)GLOSS_OP_TRIANGLE_SMALL << 24 | (uint32_t)GLOSS_SHADING_##shading << 11 | \
+	 (uint32_t)GLOSS_ROW_WORDS_##row_words << 13)
 #define COLOUR_SURFACE(slot, pitch) HEADER(COLOUR_SURFACE, 0, 1), (pitch) << 16 | (slot)
 #define DEPTH_SURFACE(slot, pitch) HEADER(DEPTH_SURFACE, 0, 1), (pitch) << 16 | (slot)
 #define TILE_BEGIN HEADER(TILE_BEGIN, 0, 2), 0, 0
@@ -39,6 +42,10 @@ const struct fault_case fault_cases[] = {
 	  GLOSS_FAULT_VALUE, 3 },
 	{ "triangle shading 3", WORDS(TILE_BEGIN, HEADER(TRIANGLE, 3u << 13, 0)), GLOSS_FAULT_VALUE,
 	  3 },
+	{ "triangle_small shading 3", WORDS(TILE_BEGIN, HEADER(TRIANGLE_SMALL, 3u << 11, 0)),
+	  GLOSS_FAULT_VALUE, 3 },
+	{ "triangle_small row_words 5", WORDS(TILE_BEGIN, HEADER(TRIANGLE_SMALL, 5u << 13, 0)),
+	  GLOSS_FAULT_VALUE, 3 },
 	{ "header bits before length", WORDS(HEADER(COUNTERS, BIT(20), 1)), GLOSS_FAULT_VALUE, 0 },
 	{ "header bits before order", WORDS(HEADER(TILE_END, BIT(20), 2), 0, 0), GLOSS_FAULT_VALUE,
 	  0 },
@@ -60,6 +67,15 @@ const struct fault_case fault_cases[] = {
 	{ "triangle without its alpha",
 	  WORDS(TILE_BEGIN, TRIANGLE(COVERING, FLAT) | BIT(15) | 5, 0, 0, 0, 0, 0),
 	  GLOSS_FAULT_LENGTH, 3 },
+	{ "triangle_small without a row word",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(TWO, FLAT) | 5, 0, 0, 0, 0, 0), GLOSS_FAULT_LENGTH, 3 },
+	{ "triangle_small with one row word too many",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, LINEAR) | 8, 0, 0, 0, 0, 0, 0, 0, 0),
+	  GLOSS_FAULT_LENGTH, 3 },
+	{ "triangle_small past the end", WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, FLAT) | 4, 0, 0, 0),
+	  GLOSS_FAULT_LENGTH, 3 },
+	{ "triangle_small past the end behind its header",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, FLAT) | 4, 15u << 12), GLOSS_FAULT_LENGTH, 3 },
 	{ "nop past the end", WORDS(HEADER(NOP, 0, 4), 0, 0, 0), GLOSS_FAULT_LENGTH, 0 },
 	{ "longest nop past the end", WORDS(HEADER(NOP, 0, GLOSS_LENGTH_MAX)), GLOSS_FAULT_LENGTH,
 	  0 },
@@ -79,6 +95,10 @@ const struct fault_case fault_cases[] = {
 	{ "tile_end outside", WORDS(HEADER(TILE_END, 0, 2), 0, 0), GLOSS_FAULT_ORDER, 0 },
 	{ "triangle outside", WORDS(TRIANGLE(COVERING, FLAT) | 5, 0, 0, 0, 0, 0), GLOSS_FAULT_ORDER,
 	  0 },
+	{ "triangle_small outside", WORDS(TRIANGLE_SMALL(NONE, FLAT) | 4, 0, 0, 0, 0),
+	  GLOSS_FAULT_ORDER, 0 },
+	{ "triangle_small outside before its values",
+	  WORDS(TRIANGLE_SMALL(NONE, FLAT) | 4, 15u << 12, 0, 0, BIT(31)), GLOSS_FAULT_ORDER, 0 },
 	{ "end in a tile", WORDS(TILE_BEGIN), GLOSS_FAULT_ORDER, 3 },
 	{ "order before values", WORDS(TILE_BEGIN, HEADER(READ_MEMORY, 0, 2), 0xfff0, 1),
 	  GLOSS_FAULT_ORDER, 3 },
@@ -168,6 +188,25 @@ const struct fault_case fault_cases[] = {
 	  WORDS(TILE_BEGIN, TRIANGLE(COMPACT, FLAT) | BIT(15) | 13, 0, 0, 0, 0, 0, 0, 0, 0, 0, ~0u,
 		~0u, ~0u, BIT(31)),
 	  GLOSS_FAULT_VALUE, 16 },
+	{ "pixels_small rows",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(FOUR, FLAT) | 8, 49u << 6 | 15u << 12, 0, 0, 0, 0, 0, 0,
+		0),
+	  GLOSS_FAULT_VALUE, 4 },
+	{ "pixels_small rows of 32",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, FLAT) | 4, 31u << 6 | 1u << 12, 0, 0, 0),
+	  GLOSS_FAULT_VALUE, 4, .tile_size = 32 },
+	{ "pixels_small with more rows than were sent",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, FLAT) | 4, 2u << 12, 0, 0, 0), GLOSS_FAULT_VALUE,
+	  4 },
+	{ "pixels_small with a row behind the words of rows",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(THREE, FLAT) | 7, 14u << 12, 0, 0, 0, 0, 0, 0),
+	  GLOSS_FAULT_VALUE, 4 },
+	{ "pixels_small before the colour",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, FLAT) | 4, 2u << 12, 0, 0, BIT(24)),
+	  GLOSS_FAULT_VALUE, 4 },
+	{ "colour_flat after pixels_small",
+	  WORDS(TILE_BEGIN, TRIANGLE_SMALL(NONE, FLAT) | 4, 1u << 12, ~0u, ~0u, BIT(24)),
+	  GLOSS_FAULT_VALUE, 7 },
 	{ "values of the first word before the second",
 	  WORDS(HEADER(WRITE_MEMORY, 0, 3), SMALL | BIT(31), 3, 0), GLOSS_FAULT_VALUE, 1 },
 	{ "misaligned before surface", WORDS(HEADER(TILE_BEGIN, BIT(11), 2), 4, 0),

@@ -81,7 +81,7 @@ static void same_seed_gives_the_same_job_everywhere(void **state)
 		for (uint32_t n = 0; n < job.job.stream_words; n++)
 			hash = (hash ^ job.words[n]) * 0x100000001b3;
 	}
-	if (hash != 0xd008cc2df7b54b9d)
+	if (hash != 0x991d51db644c6037)
 		fail_msg("the jobs' hash is 0x%016llx", (unsigned long long)hash);
 }
 
@@ -89,7 +89,7 @@ static void same_seed_gives_the_same_job_everywhere(void **state)
 static void jobs_use_the_whole_interface(void **state)
 {
 	uint64_t seed = test_seed();
-	unsigned int packets[256] = { 0 }, forms[3][3][2] = { 0 };
+	unsigned int packets[256] = { 0 }, forms[3][3][2] = { 0 }, small[3][5] = { 0 };
 	uint64_t covered = 0, passed = 0, triangles = 0;
 
 	(void)state;
@@ -97,12 +97,16 @@ static void jobs_use_the_whole_interface(void **state)
 		stream_random_valid(&job, seed + (uint64_t)n, 64);
 		for (uint32_t at = 0; at < job.job.stream_words;) {
 			uint32_t opcode = gloss_header_opcode(job.words[at]);
+			struct gloss_triangle_small q;
 			struct gloss_triangle p;
 
 			packets[opcode]++;
 			gloss_triangle_unpack(&job.words[at], &p);
+			gloss_triangle_small_unpack(&job.words[at], &q);
 			if (opcode == GLOSS_OP_TRIANGLE)
 				forms[p.geometry][p.shading][p.alpha_linear]++;
+			else if (opcode == GLOSS_OP_TRIANGLE_SMALL)
+				small[q.shading][q.row_words]++;
 			at += 1 + gloss_header_length(job.words[at]);
 		}
 		run(64);
@@ -114,6 +118,8 @@ static void jobs_use_the_whole_interface(void **state)
 		assert_true(!gloss_opcode_known(opcode) || packets[opcode] > 200);
 	for (int n = 0; n < 18; n++)
 		assert_true(forms[n / 6][n / 2 % 3][n % 2] > 20);
+	for (int n = 0; n < 15; n++)
+		assert_true(small[n / 5][n % 5] > 20);
 	assert_true(passed > 50 * triangles);
 	assert_true(covered - passed > 20 * triangles);
 }

@@ -46,6 +46,17 @@ static inline uint32_t *put_triangle(struct stream *s, enum gloss_geometry geome
 	return at;
 }
 
+/* The same, small. */
+static inline uint32_t *put_small(struct stream *s, enum gloss_shading shading,
+				  enum gloss_row_words row_words)
+{
+	struct gloss_triangle_small p = { shading, row_words, 0 };
+	uint32_t *at = grow(s, 1 + gloss_triangle_small_length(&p));
+
+	gloss_triangle_small_pack(at, &p);
+	return at;
+}
+
 static inline uint32_t *put_write(struct stream *s, uint32_t slot, uint32_t offset, uint32_t words)
 {
 	uint32_t *at = grow(s, 3 + (size_t)words);

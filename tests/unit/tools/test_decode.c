@@ -147,6 +147,28 @@ static void decode_checks_what_depends_on_the_tile_size(void **state)
 	assert_fault_of(&s, 64, GLOSS_FAULT_NONE, 0);
 	at[3] = 52u << 16 | 12u << 24;
 	assert_fault_of(&s, 0, GLOSS_FAULT_VALUE, 6);
+	s.count = 0;
+	PUT(&s, tile_begin, .colour = 0);
+	at = put_small(&s, GLOSS_SHADING_FLAT, GLOSS_ROW_WORDS_ONE);
+	PUT(&s, tile_end, .colour = 0);
+	at[1] = 28u << 6 | 5u << 12;
+	assert_fault_of(&s, 0, GLOSS_FAULT_NONE, 0);
+	assert_fault_of(&s, 32, GLOSS_FAULT_VALUE, 4);
+}
+
+static void decode_finds_rows_that_were_not_sent(void **state)
+{
+	struct stream s = { .count = 0 };
+	uint32_t *at;
+
+	(void)state;
+	PUT(&s, tile_begin, .colour = 0);
+	at = put_small(&s, GLOSS_SHADING_LINEAR, GLOSS_ROW_WORDS_ONE);
+	PUT(&s, tile_end, .colour = 0);
+	at[1] = 5u << 12;
+	assert_fault_of(&s, 64, GLOSS_FAULT_NONE, 0);
+	at[1] = 6u << 12;
+	assert_fault_of(&s, 64, GLOSS_FAULT_VALUE, 4);
 }
 
 int main(void)
@@ -160,6 +182,7 @@ int main(void)
 		cmocka_unit_test(decode_finds_surfaces_that_are_not_set),
 		cmocka_unit_test(decode_reports_the_first_of_several_faults),
 		cmocka_unit_test(decode_checks_what_depends_on_the_tile_size),
+		cmocka_unit_test(decode_finds_rows_that_were_not_sent),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

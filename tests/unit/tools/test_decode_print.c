@@ -93,6 +93,35 @@ static void decode_prints_signs_and_fractions(void **state)
 		"     19  00000000    depth=0x00000000\n");
 }
 
+static void decode_prints_a_small_triangle(void **state)
+{
+	struct stream s = { .count = 0 };
+	uint32_t *at;
+	char *text;
+
+	(void)state;
+	PUT(&s, tile_begin, .colour = 0);
+	at = put_small(&s, GLOSS_SHADING_LINEAR, GLOSS_ROW_WORDS_ONE);
+	gloss_pixels_small_pack(at + 1,
+				&(struct gloss_pixels_small){ .x = 9, .last_row = 2, .last_0 = 3 });
+	gloss_depth_small_pack(at + 2, &(struct gloss_depth_small){ 24, -2, 3, 1 });
+	gloss_colour_linear_small_pack(at + 4,
+				       &(struct gloss_colour_linear_small){
+					       .red = -1, .blue_dx = -4, .slope_scale = 2 });
+	at[8] = 0x00004030;
+	text = print_all(&s, 0);
+	assert_non_null(strstr(text, " TRIANGLE_SMALL shading=linear row_words=one alpha=0\n"));
+	assert_non_null(strstr(text, " pixels_small: x=9 first_row=0 last_row=2 first_0=0 last_0=3 "
+				     "first_1=0 last_1=0\n"));
+	assert_non_null(strstr(text, " depth_small: z=1.50\n"));
+	assert_non_null(strstr(text, " dx=-2 dy=3 scale=1\n"));
+	assert_non_null(
+		strstr(text, " colour_linear_small: red=-1 green=0 blue=0 slope_scale=2\n"));
+	assert_non_null(strstr(text, " blue_fraction=0 blue_dx=-4 blue_dy=0\n"));
+	assert_non_null(strstr(text, " rows_one: rows_2=0x00004030\n"));
+	free(text);
+}
+
 static void decode_prints_a_number_of_two_words_whole(void **state)
 {
 	struct stream s = { .count = 0 };
@@ -157,6 +186,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(decode_prints_enums_flags_and_hexadecimal),
 		cmocka_unit_test(decode_prints_signs_and_fractions),
+		cmocka_unit_test(decode_prints_a_small_triangle),
 		cmocka_unit_test(decode_prints_a_number_of_two_words_whole),
 		cmocka_unit_test(decode_prints_data_in_rows),
 		cmocka_unit_test(decode_prints_a_broken_packet_up_to_its_fault),

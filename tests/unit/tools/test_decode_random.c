@@ -32,6 +32,21 @@ static void put_random_triangle(struct stream *s)
 	at[s->words + s->count - at - 1] = any() & 0xffffff; /* a colour of any shading */
 }
 
+static void put_random_small(struct stream *s)
+{
+	enum gloss_shading shading = (enum gloss_shading)below(3);
+	enum gloss_row_words row_words = (enum gloss_row_words)below(5);
+	uint32_t *at = put_small(s, shading, row_words), sent = 2 + 4 * (uint32_t)row_words;
+	struct gloss_pixels_small pixels = { .x = below(64), .first_row = below(24) };
+
+	pixels.last_row = below(sent + 1);
+	at[0] |= below(256) << 16;
+	gloss_pixels_small_pack(at + 1, &pixels);
+	at[2] = any();
+	at[3] = any();
+	at[4] = shading == GLOSS_SHADING_FLAT ? any() & 0xffffff : any();
+}
+
 /* Mostly in order, mostly valid for a tile of 32. */
 static void put_random(struct stream *s, bool *in_tile)
 {
@@ -60,6 +75,8 @@ static void put_random(struct stream *s, bool *in_tile)
 		if (*in_tile && once_in(3))
 			PUT(s, tile_end, colour, depth, colour == GLOSS_TILE_OUTPUT_STORE ? row : 0,
 			    depth == GLOSS_TILE_OUTPUT_STORE ? row : 0);
+		else if (*in_tile && once_in(2))
+			put_random_small(s);
 		else if (*in_tile)
 			put_random_triangle(s);
 		else
