@@ -50,6 +50,17 @@ echo '{"synth.luts": 7}' >"$out/synth.json"
 takes "figures with those of synthesis" '{"a.speed":1.5,"a.words":28,"synth.luts":7}'
 
 begin
+sed -i '$a| `pnr.mhz` | x |' "$out/figures.md"
+echo '{"synth.luts": 7}' >"$out/synth.json"
+takes "figures without those of placing" '{"a.speed":1.5,"a.words":28,"synth.luts":7}'
+grep -q "make pnr.*pnr.mhz" "$out/said" || fail "says that placing is missing"
+
+begin
+sed -i '$a| `pnr.mhz` | x |' "$out/figures.md"
+echo '{"pnr.mhz": 99.5}' >"$out/pnr.json"
+takes "figures with those of placing" '{"a.speed":1.5,"a.words":28,"pnr.mhz":99.5}'
+
+begin
 rm "$out/bench/a.txt"
 mkdir "$out/vm"
 echo '{ "a.speed": 1.5, "a.words": 28 }' >"$out/vm/a.json"

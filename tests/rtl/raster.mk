@@ -67,12 +67,3 @@ rtl-raster-all: $(RASTER_ALL_BENCHES) ## the same for every core that is built, 
 	$(Q)for bench in $^; do $$bench 1000 || exit 1; done
 
 CHECKS += rtl-raster rtl-raster-read
-
-##@ Pictures and figures
-.PHONY: synth synth-stage
-synth: ## size and clock on three FPGA families (half an hour of processor time); build/synth.json
-	$(Q)tests/synth/synth.py $(BUILD) $(JOBS)
-
-STAGE ?= command
-synth-stage: ## clock of one stage: STAGE=command, raster_shade, fragment, tile, memory, port_pci, port_usb
-	$(Q)tests/synth/synth.py $(BUILD) $(JOBS) $(STAGE)

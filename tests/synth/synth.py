@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 # SPDX-License-Identifier: MIT
 """Size and clock of the core with open tools: tests/synth/synth.py BUILD [JOBS [STAGE]]
 
@@ -10,13 +10,13 @@ beside those that are there.
 Where a placer ends depends on its seed by a tenth and more, so a clock is the median of several.
 """
 import concurrent.futures
-import glob
 import json
 import os
 import re
 import statistics
-import subprocess
 import sys
+
+from rtl import ports, run, sources
 
 BUILD = sys.argv[1]
 JOBS = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count()
@@ -71,22 +71,11 @@ MULTIPLIERS = re.compile(r"^\$(mul|div|mod|divfloor|modfloor|pow|macc)$"
                          r"|^SB_MAC16|^MULT|^ALU54|^DSP48")
 
 
-def sources():
-    files = sorted(set(glob.glob("rtl/lib/*.sv") + glob.glob("rtl/*/*.sv")))
-    return ["rtl/gloss_pkg.sv"] + files + glob.glob("rtl/gloss_core.sv")
-
-
 def parameters_of(module):
     """The parameters a module has, by its source."""
     path = next(f for f in sources() if f.endswith(f"/{module}.sv"))
     with open(path, encoding="utf-8") as source:
         return re.findall(r"^  parameter int unsigned (\w+)", source.read(), re.M)
-
-
-def run(command, log):
-    with open(log, "w", encoding="utf-8") as output:
-        if subprocess.run(command, stdout=output, stderr=subprocess.STDOUT, check=False).returncode:
-            sys.exit(f"synth: failed, see {log}: {' '.join(command)[:200]}")
 
 
 def yosys(name, top, values, passes, files=None):
@@ -137,24 +126,11 @@ def unmapped(family):
     return yosys(f"{family}-unmapped", "raster_shade", FAMILIES[family][1], "proc; flatten; opt")
 
 
-def ports(module, values):
-    """Ports of a module by name: (direction, bits)."""
-    path = f"{OUT}/ports-{module}.json"
-    setting = "".join(f" -set {key} {value}" for key, value in sorted(values.items()))
-    run(["yosys", "-q", "-p", f"read_verilog -sv -Irtl {' '.join(sources())}; "
-         f"{f'chparam{setting} {module}; ' if setting else ''}"
-         f"hierarchy -top {module}; rename -top {module}; proc; write_json {path}"],
-        f"{OUT}/ports-{module}.log")
-    with open(path, encoding="utf-8") as file:
-        found = json.load(file)["modules"][module]["ports"]
-    return {name: (port["direction"], len(port["bits"])) for name, port in found.items()}
-
-
 def pins(module, values):
     """A wrapper with four pins, so that a stage can be placed on a device that has too few for its
     ports: inputs come from a shift register, outputs go into one. Every path of the stage stays one
     from register to register."""
-    found = ports(module, values)
+    found = ports(module, values, OUT)
     width = {way: sum(bits for name, (direction, bits) in found.items()
                       if direction == way and name not in ("clk_i", "rst_ni"))
              for way in ("input", "output")}
