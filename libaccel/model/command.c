@@ -175,18 +175,35 @@ int model_begin(struct model *model, const struct accel_job *job)
 	return 0;
 }
 
+int model_begin_whole(struct model *model, const struct accel_job *job)
+{
+	if ((job->stream_words && !job->stream) || (job->response_words && !job->response))
+		return -EINVAL;
+	return model_begin(model, job);
+}
+
+bool model_check_next(struct model *model)
+{
+	if (model->fault || model->at == model->job->stream_words)
+		return false;
+	model->fault = model_command_check(model, model->at, &model->fault_word);
+	return !model->fault;
+}
+
+void model_execute(struct model *model, const uint32_t *packet)
+{
+	if (run[gloss_header_opcode(packet[0])])
+		run[gloss_header_opcode(packet[0])](model, packet);
+}
+
 bool model_step(struct model *model)
 {
 	const uint32_t *packet;
 
-	if (model->fault || model->at == model->job->stream_words)
+	if (!model_check_next(model))
 		return false;
 	packet = model->job->stream + (model->at - model->stream_from);
-	model->fault = model_command_check(model, model->at, &model->fault_word);
-	if (model->fault)
-		return false;
-	if (run[gloss_header_opcode(packet[0])])
-		run[gloss_header_opcode(packet[0])](model, packet);
+	model_execute(model, packet);
 	model->at += 1 + gloss_header_length(packet[0]);
 	return true;
 }
@@ -204,10 +221,10 @@ void model_end(struct model *model, struct gloss_status *status)
 
 int model_run(struct model *model, const struct accel_job *job, struct gloss_status *status)
 {
-	if ((job->stream_words && !job->stream) || (job->response_words && !job->response))
-		return -EINVAL;
-	if (model_begin(model, job))
-		return -EINVAL;
+	int err = model_begin_whole(model, job);
+
+	if (err)
+		return err;
 	while (model_step(model))
 		;
 	model_end(model, status);

@@ -8,6 +8,7 @@
  *     command_check.c   is the packet right, and if not, at which word
  *     triangle.c        a TRIANGLE's payload in its many forms to one struct
  *     triangle_small.c  a TRIANGLE_SMALL to the same
+ *     parallel.c        the same with tiles drawn by others
  *   draw.c      takes a triangle through the three stages below
  *   raster.c    edges to spans of pixels
  *   shade.c     surfaces to colour and depth
@@ -113,6 +114,22 @@ struct model {
 	struct model_tile tile;
 };
 
+/* A tile of a checked stream, to be drawn when and where somebody likes. */
+struct model_piece {
+	const struct accel_job *job;
+	struct model_state state; /* before it */
+	uint32_t at, end;         /* words of the stream, from TILE_BEGIN on and after TILE_END */
+	uint32_t response_used;   /* before it */
+};
+
+/* Who draws pieces, called from the thread that runs the job. */
+struct model_drawer {
+	/* Calls model_draw_piece() with a model of its own, in any thread before wait returns. */
+	void (*draw)(void *data, const struct model_piece *piece);
+	/* Until all are drawn; adds what they counted to @counters. */
+	void (*wait)(void *data, struct model_counters *counters);
+};
+
 /* A row of pixels of the tile: columns x0 <= x < x1 of row y. */
 struct model_span {
 	int y, x0, x1;
@@ -169,6 +186,24 @@ int model_run(struct model *model, const struct accel_job *job, struct gloss_sta
 int model_begin(struct model *model, const struct accel_job *job);
 bool model_step(struct model *model);
 void model_end(struct model *model, struct gloss_status *status);
+
+/* Begins a job that lies in memory as a whole. -EINVAL, as in model_run. */
+int model_begin_whole(struct model *model, const struct accel_job *job);
+/* Checks the packet at model->at; false: it has a fault, or the stream ends there. */
+bool model_check_next(struct model *model);
+/* Executes a packet that was checked; model->at stays. */
+void model_execute(struct model *model, const uint32_t *packet);
+
+/* ---- parallel.c ---- */
+
+/*
+ * As model_run, with the tiles drawn by @drawer: at any moment it has pieces that do not depend on
+ * each other. Memory, response, counters and status are those of model_run.
+ */
+int model_run_parallel(struct model *model, const struct accel_job *job,
+		       const struct model_drawer *drawer, void *data, struct gloss_status *status);
+/* Draws @piece, and adds to model->counters. @model was made by model_init() as that of the job. */
+void model_draw_piece(struct model *model, const struct model_piece *piece);
 
 /* ---- command_check.c ---- */
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* "model:": the C model of the core, on a thread of this process. */
+/* "model:": the C model of the core, on threads of this process. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,24 +7,42 @@
 #include "transport/engine.h"
 #include "model/model.h"
 #include "transport/option.h"
+#include "transport/thread.h"
+#include "transport/tile_threads.h"
 
 struct transport_model {
 	struct accel_engine engine; /* first, see engine.h */
 	struct model model;
+	unsigned int threads; /* that draw tiles */
+	struct accel_tile_threads tile_threads;
 };
 
 static int transport_model_run(void *data, const struct accel_job *job, struct gloss_status *status)
 {
-	return model_run(data, job, status);
+	struct transport_model *transport = data;
+
+	if (transport->threads == 1)
+		return model_run(&transport->model, job, status);
+	return model_run_parallel(&transport->model, job, &accel_tile_drawer,
+				  &transport->tile_threads, status);
+}
+
+/* If it is not given. */
+static uint64_t transport_model_threads(void)
+{
+	unsigned int processors = accel_thread_processors();
+
+	return processors < ACCEL_TILE_THREADS_MAX ? processors : ACCEL_TILE_THREADS_MAX;
 }
 
 static int transport_model_open(const char *where, void **state,
 				struct accel_transport_error *error)
 {
-	uint64_t tile = 64, memory = ENGINE_MEMORY_DEFAULT;
+	uint64_t tile = 64, memory = ENGINE_MEMORY_DEFAULT, threads = transport_model_threads();
 	const struct accel_option options[] = {
 		{ "tile", 32, 64, 0, &tile },
 		{ "memory", ACCEL_RANGE_ALIGN, ENGINE_MEMORY_MAX, ACCEL_RANGE_ALIGN, &memory },
+		{ "threads", 1, ACCEL_TILE_THREADS_MAX, 1, &threads },
 		{ NULL, 0, 0, 0, NULL },
 	};
 	struct transport_model *transport;
@@ -36,12 +54,15 @@ static int transport_model_open(const char *where, void **state,
 	transport = malloc(sizeof(*transport));
 	if (!transport)
 		return -ENOMEM;
-	err = accel_engine_init(&transport->engine, memory, transport_model_run, &transport->model);
+	err = accel_engine_init(&transport->engine, memory, transport_model_run, transport);
 	if (err)
 		goto err_free;
 	err = model_init(&transport->model, (int)tile, transport->engine.memory, memory);
 	if (err)
 		goto err_engine_fini;
+	accel_tile_threads_init(&transport->tile_threads, (unsigned int)threads, (int)tile,
+				transport->engine.memory, memory);
+	transport->threads = (unsigned int)threads;
 	*state = transport;
 	return 0;
 
@@ -63,6 +84,7 @@ static void transport_model_close(void *state)
 	struct transport_model *transport = state;
 
 	accel_engine_fini(&transport->engine);
+	accel_tile_threads_fini(&transport->tile_threads);
 	free(transport);
 }
 

@@ -33,7 +33,11 @@ static bool option_number(const char *text, size_t length, uint64_t *value)
 
 static void option_refuse(const struct accel_option *option, struct accel_transport_error *error)
 {
-	if (option->multiple_of)
+	if (option->multiple_of == 1)
+		accel_transport_say(error, "%s takes a number from %llu to %llu", option->name,
+				    (unsigned long long)option->min,
+				    (unsigned long long)option->max);
+	else if (option->multiple_of)
 		accel_transport_say(error, "%s takes a multiple of %llu from %llu to %llu",
 				    option->name, (unsigned long long)option->multiple_of,
 				    (unsigned long long)option->min,

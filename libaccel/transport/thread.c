@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#define _GNU_SOURCE /* sched_getaffinity() */
 #include <errno.h>
+#include <sched.h>
 #include <signal.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "transport/thread.h"
 
@@ -21,6 +24,18 @@ int accel_thread_new(pthread_t *thread, void *(*run)(void *), void *argument)
 	err = pthread_create(thread, NULL, run, argument);
 	pthread_sigmask(SIG_SETMASK, &old, NULL);
 	return err ? -ENOMEM : 0;
+}
+
+unsigned int accel_thread_processors(void)
+{
+	cpu_set_t set;
+	long online;
+
+	if (!sched_getaffinity(0, sizeof(set), &set))
+		return (unsigned int)CPU_COUNT(&set);
+	/* There are more than the set has room for. */
+	online = sysconf(_SC_NPROCESSORS_ONLN);
+	return online > 0 ? (unsigned int)online : 1;
 }
 
 int accel_thread_hold_cancel(void)

@@ -17,6 +17,9 @@ int accel_thread_new(pthread_t *thread, void *(*run)(void *), void *argument);
 int accel_thread_hold_cancel(void);
 void accel_thread_allow_cancel(int held);
 
+/* Processors that this thread may run on, at least 1. */
+unsigned int accel_thread_processors(void);
+
 /* CLOCK_MONOTONIC */
 int64_t accel_thread_now_ns(void);
 int64_t accel_thread_now_ms(void);

@@ -8,8 +8,9 @@ STREAM_GROUPS ?= 200
 STREAM_RANDOM_OBJS := $(addprefix $(BUILD)/tests/stream/, stream_random.o stream_random_triangle.o \
 	stream_random_small.o stream_random_damage.o)
 
-$(BUILD)/tests/stream/test_stream: private LIBS := -ldl
-$(BUILD)/tests/stream/test_stream: $(STREAM_RANDOM_OBJS) $(DECODE_OBJECTS) $(MODEL_OBJS)
+$(BUILD)/tests/stream/test_stream: private LIBS := -ldl -pthread
+$(BUILD)/tests/stream/test_stream: $(STREAM_RANDOM_OBJS) $(DECODE_OBJECTS) $(MODEL_OBJS) \
+	$(addprefix $(BUILD)/libaccel/transport/, tile_threads.o thread.o)
 
 # Two targets of about the same time, for two processors; one more, and shorter, for stream ports that
 # are narrow and wide for their lanes.

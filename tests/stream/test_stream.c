@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /*
  * Whole jobs on the Verilated core and on the model: status, answers and all of board memory must
- * be the same, byte for byte, whatever the ports do, within a bound of clocks.
+ * be the same, byte for byte, whatever the ports do, within a bound of clocks. The model draws the tiles
+ * of every second job on threads.
  *
  * Jobs run in groups on one simulator: memory is filled once a group, so that a job finds what
  * those before it left, and every sixth job is a damaged one. A group only depends on the seed and
@@ -20,9 +21,11 @@
 #include "model/model.h"
 #include "sim/sim.h"
 #include "stream_random.h"
+#include "transport/tile_threads.h"
 
 #define GROUP 12
 #define DAMAGED_EVERY 6
+#define THREADS 3 /* that draw tiles */
 #define FAULTS (GLOSS_FAULT_MEMORY + 1)
 
 struct test {
@@ -30,6 +33,7 @@ struct test {
 	const struct gloss_sim_ops *ops;
 	struct gloss_sim *sim;
 	struct model model;
+	struct accel_tile_threads threads;
 	struct stream_random random;
 	uint8_t *sim_memory, *model_memory;
 	uint32_t *sim_response, *model_response;
@@ -106,12 +110,18 @@ static int run_sim(struct test *test, int job, bool stalls, struct gloss_status 
 	return 0;
 }
 
+/* One job in its order, the next with its tiles on threads. */
 static int run_model(struct test *test, int job, struct gloss_status *status)
 {
+	int err;
+
 	test->random.job.response = test->model_response;
-	if (model_run(&test->model, &test->random.job, status))
-		return fail(test, job, "the model takes it for no job");
-	return 0;
+	if ((test->group + (uint64_t)job) % 2)
+		err = model_run_parallel(&test->model, &test->random.job, &accel_tile_drawer,
+					 &test->threads, status);
+	else
+		err = model_run(&test->model, &test->random.job, status);
+	return err ? fail(test, job, "the model takes it for no job") : 0;
 }
 
 /* The decoder finds the faults that are in the stream itself, and no others. */
@@ -293,6 +303,8 @@ static int setup(struct test *test)
 	if (!test->sim_memory || !test->model_memory || !test->sim_response ||
 	    !test->model_response)
 		return 1;
+	accel_tile_threads_init(&test->threads, THREADS, (int)test->ops->tile_size,
+				test->model_memory, STREAM_RANDOM_MEMORY);
 	test->sim = test->ops->create(test->sim_memory, STREAM_RANDOM_MEMORY);
 	return !test->sim || model_init(&test->model, (int)test->ops->tile_size, test->model_memory,
 					STREAM_RANDOM_MEMORY);
@@ -300,8 +312,10 @@ static int setup(struct test *test)
 
 static void teardown(struct test *test)
 {
-	if (test->sim)
+	if (test->sim) {
 		test->ops->destroy(test->sim);
+		accel_tile_threads_fini(&test->threads);
+	}
 	free(test->sim_memory);
 	free(test->model_memory);
 	free(test->sim_response);

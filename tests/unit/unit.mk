@@ -21,7 +21,7 @@ $(foreach program,$(UNIT_PROGRAMS),$(eval $(call unit_run,$(program))))
 
 # ---- model/ ----
 
-MODEL_TESTS := $(addprefix test_model_, command draw fault memory random raster triangle)
+MODEL_TESTS := $(addprefix test_model_, command draw fault memory parallel random raster triangle)
 UNIT_TESTS += $(MODEL_TESTS)
 $(call unit,$(MODEL_TESTS)): $(BUILD)/tests/unit/model/reference.o $(STREAM_RANDOM_OBJS)
 $(call unit,test_model_fault): $(BUILD)/tests/unit/model/fault_cases.o
@@ -44,9 +44,11 @@ $(call unit,test_draw_out_of_memory): private WRAPS := $(call wrap,malloc calloc
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine test_device test_buffer \
 	test_sized test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
-	test_transport_sim test_transport_sim_core
+	test_tile_threads test_transport_sim test_transport_sim_core
 UNIT_TESTS += test_symbols test_sim_wrapper
 
+$(call unit,test_tile_threads): $(STREAM_RANDOM_OBJS)
+$(call unit,test_tile_threads): private WRAPS := $(call wrap,pthread_create)
 $(call unit,test_target): private WRAPS := $(call wrap,accel_engine_submit)
 FLAGS_tests/unit/object/test_unload.c = -DACCEL_SO='"$(BUILD)/libaccel.so"'
 $(call unit,test_unload): | $(BUILD)/libaccel.so
@@ -177,7 +179,7 @@ unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
 		CFLAGS='-O1 -g -fsanitize=thread' $(ACCEL_UNIT_TESTS:%=run-%)
 
-VALGRIND_TESTS := test_engine test_device test_stream test_fence test_state test_transport_sim \
+VALGRIND_TESTS := test_engine test_tile_threads test_device test_stream test_fence test_state test_transport_sim \
 	$(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS)) $(filter-out %_errors,$(USB_TESTS))
 unit-valgrind: $(call unit,$(VALGRIND_TESTS)) $(FAKE_SIMS)
 	$(Q)for test in $(call unit,$(VALGRIND_TESTS)); do \

@@ -57,6 +57,8 @@ static void a_wrong_name_is_refused_and_said(void **state)
 		{ "model:memory=4097", "\"model:\": memory takes a multiple of 4096" },
 		{ "model:memory=0", "\"model:\": memory takes a multiple of 4096" },
 		{ "model:memory=4294971392", "\"model:\": memory takes a multiple of 4096" },
+		{ "model:threads=0", "\"model:\": threads takes a number from 1 to 64" },
+		{ "model:threads=65", "\"model:\": threads takes a number from 1 to 64" },
 		{ "sim:lanes=3", "\"sim:\": lanes takes a power of two from 1 to 8" },
 		{ "sim:stalls=x", "\"sim:\": stalls takes" },
 	};
