@@ -20,8 +20,11 @@ CONTEST_OBJS := $(addprefix $(BUILD)/tests/bench/, contest.o contest_picture.o g
 CONTEST_PROGRAMS := $(BUILD)/tests/bench/bench_frame
 $(CONTEST_PROGRAMS): private LIBS := $(SCENE_LIBS) -lepoxy -ldl
 $(CONTEST_PROGRAMS): $(CONTEST_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
-$(BUILD)/tests/bench/bench_frame: $(addprefix $(BUILD)/tools/view/, camera.o draw.o light.o material.o \
-	number.o options.o progress.o)
+
+# Those that draw what gloss-view draws.
+SUBJECT_OBJS := $(BUILD)/tests/bench/subject.o $(addprefix $(BUILD)/tools/view/, camera.o draw.o light.o \
+	material.o number.o options.o progress.o)
+$(BUILD)/tests/bench/bench_frame $(BUILD)/tests/bench/bench_setup: $(SUBJECT_OBJS)
 
 # What a benchmark prints is shown and kept, also if it fails: a figure that misses its aim is one.
 keep_figures = mkdir -p $(BUILD)/bench && { tests/bench/retry $(BUILD)/bench/$(1).txt $(2); status=$$?; } && \
@@ -41,7 +44,7 @@ bench-shade: $(BUILD)/tests/bench/bench_shade ## speed of the model against per-
 	$(Q)$(call keep_figures,shade,$< sphere:2 sphere:3 torus:24 $(MODELS)/bunny.obj)
 
 bench-setup: $(BUILD)/tests/bench/bench_setup ## triangles set up a second, and their words
-	$(Q)$(call keep_figures,setup,$< sphere:5 sphere:2 $(MODELS)/bunny.obj)
+	$(Q)$(call keep_figures,setup,$< $(MODELS))
 
 bench-load: $(BUILD)/tests/bench/bench_load ## time and memory of reading a mesh against assimp alone
 	$(Q)$(call keep_figures,load,$<)

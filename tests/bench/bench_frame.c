@@ -18,7 +18,7 @@
 #include <string.h>
 
 #include "contest.h"
-#include "view/view.h"
+#include "subject.h"
 
 #define ANGLES 8
 #define ROUNDS 15
@@ -32,60 +32,25 @@
 struct bench {
 	const char *models;
 	bool pictures, short_form, missed;
-	int angles;
-	struct view_options options;
+	int width, height, angles;
 };
 
-static const struct subject {
-	const char *name; /* in figures */
-	const char *mesh; /* a file in MODELS, or a shape */
-	bool file;
-	float upright[2];          /* as of options */
+static const struct {
+	const struct subject *subject;
 	double aims[CONTEST_WAYS]; /* least speed; 0: none */
-} subjects[] = {
-	{ "bunny",
-	  "bunny.obj",
-	  true,
-	  { 0, 0 },
+} entries[] = {
+	{ &subject_bunny,
 	  { [CONTEST_LLVMPIPE_GOURAUD] = 1,
 	    [CONTEST_LLVMPIPE_PHONG] = 1.5,
 	    [CONTEST_CPHONG] = 1 } },
-	{ "horse",
-	  "horse.3ds",
-	  true,
-	  { 90, 0 },
-	  { [CONTEST_LLVMPIPE_GOURAUD] = 0.7, [CONTEST_LLVMPIPE_PHONG] = 1.2 } },
-	{ "sphere3",
-	  "sphere:3",
-	  false,
-	  { 0, 0 },
-	  { [CONTEST_LLVMPIPE_GOURAUD] = 1.5, [CONTEST_LLVMPIPE_PHONG] = 6 } },
+	{ &subject_horse, { [CONTEST_LLVMPIPE_GOURAUD] = 0.7, [CONTEST_LLVMPIPE_PHONG] = 1.2 } },
+	{ &subject_sphere3, { [CONTEST_LLVMPIPE_GOURAUD] = 1.5, [CONTEST_LLVMPIPE_PHONG] = 6 } },
 };
 
 static void need(int ret)
 {
 	if (ret)
 		exit(2);
-}
-
-static void set_options(struct bench *bench)
-{
-	static char *words[] = { "bench_frame", "--stats", "--size", "1280x720", "" };
-
-	if (bench->pictures)
-		words[3] = "640x360";
-	bench->angles = bench->pictures ? 2 : ANGLES;
-	need(view_options_parse(&bench->options, 5, words));
-	bench->options.turntable = ANGLES;
-	bench->options.recoloured = true; /* the horse has colours of its own */
-}
-
-static void set_scenes(struct view *view, struct scene *scenes, int count)
-{
-	for (int i = 0; i < count; i++) {
-		view_camera_set(view, 360.0f * (float)i / (float)count);
-		scenes[i] = view->scene;
-	}
 }
 
 static void measure(struct bench *bench, struct contest *contest, const struct scene *scenes)
@@ -97,13 +62,13 @@ static void measure(struct bench *bench, struct contest *contest, const struct s
 				   i < SOFTPIPE_ROUNDS ? TIMED_WAYS : QUICK_WAYS));
 }
 
-static void print_speed(struct bench *bench, const struct contest *contest,
-			const struct subject *subject, enum contest_way way)
+static void print_speed(struct bench *bench, const struct contest *contest, const char *name,
+			enum contest_way way, double aim)
 {
 	struct contest_spread speed;
 	bool missed;
 
-	printf("frame.vs_%s.%s ", contest_name(way), subject->name);
+	printf("frame.vs_%s.%s ", contest_name(way), name);
 	if (!contest_has(contest, way)) {
 		printf("-   # what it needs is not here\n");
 		return;
@@ -111,57 +76,47 @@ static void print_speed(struct bench *bench, const struct contest *contest,
 	speed = contest_speed(contest, way);
 	printf("%.2f   # %.2f to %.2f in %d rounds", speed.median, speed.least, speed.most,
 	       speed.rounds);
-	missed = speed.median < subject->aims[way];
-	if (subject->aims[way] > 0)
-		printf("; at least %g%s", subject->aims[way], missed ? ": MISSED" : "");
+	missed = speed.median < aim;
+	if (aim > 0)
+		printf("; at least %g%s", aim, missed ? ": MISSED" : "");
 	printf("\n");
 	bench->missed |= missed;
 }
 
-static void print(struct bench *bench, const struct contest *contest, const struct subject *subject)
+static void print(struct bench *bench, const struct contest *contest, const char *name,
+		  const double aims[CONTEST_WAYS])
 {
-	for (enum contest_way way = 0; way < CONTEST_WAYS; way++) {
+	for (enum contest_way way = 0; way < CONTEST_WAYS; way++)
 		if (contest->rounds[way])
-			printf("# %s: %s: %.1f frames a processor second\n", subject->name,
+			printf("# %s: %s: %.1f frames a processor second\n", name,
 			       contest_name(way), ANGLES / contest_cost(contest, way).median);
-	}
 	for (enum contest_way way = CONTEST_CPHONG; way < CONTEST_WAYS; way++)
-		print_speed(bench, contest, subject, way);
+		print_speed(bench, contest, name, way, aims[way]);
 	fflush(stdout);
 }
 
-static void contend(struct bench *bench, const struct subject *subject, struct view *view)
+static void run(struct bench *bench, const struct subject *subject, const double aims[CONTEST_WAYS])
 {
 	struct scene scenes[ANGLES];
+	struct view_options options;
 	struct contest contest;
+	struct view view;
 
-	set_scenes(view, scenes, bench->angles);
+	need(subject_load(subject, bench->models, bench->width, bench->height, &options, &view));
+	subject_scenes(&view, scenes, bench->angles);
 	need(contest_begin(&contest, scenes, ALL_WAYS));
 	need(contest_compare(&contest, scenes, bench->angles, subject->name));
 	if (!bench->pictures) {
 		measure(bench, &contest, scenes);
-		print(bench, &contest, subject);
+		print(bench, &contest, subject->name, aims);
 	}
 	contest_end(&contest);
-}
-
-static void run(struct bench *bench, const struct subject *subject)
-{
-	char path[4096];
-	struct view view;
-
-	snprintf(path, sizeof(path), "%s%s%s", subject->file ? bench->models : "",
-		 subject->file ? "/" : "", subject->mesh);
-	bench->options.mesh = path;
-	memcpy(bench->options.upright, subject->upright, sizeof(subject->upright));
-	need(view_load(&view, &bench->options));
-	contend(bench, subject, &view);
 	view_close(&view);
 }
 
 int main(int argc, char **argv)
 {
-	struct bench bench = { 0 };
+	struct bench bench = { .width = 1280, .height = 720, .angles = ANGLES };
 
 	for (int i = 1; i < argc; i++) {
 		if (!strcmp(argv[i], "--pictures"))
@@ -175,8 +130,12 @@ int main(int argc, char **argv)
 		fprintf(stderr, "usage: bench_frame [--pictures] [--short] MODELS\n");
 		return 2;
 	}
-	set_options(&bench);
-	for (size_t i = 0; i < sizeof(subjects) / sizeof(*subjects); i++)
-		run(&bench, &subjects[i]);
+	if (bench.pictures) {
+		bench.width = 640;
+		bench.height = 360;
+		bench.angles = 2;
+	}
+	for (size_t i = 0; i < sizeof(entries) / sizeof(*entries); i++)
+		run(&bench, entries[i].subject, entries[i].aims);
 	return bench.missed && !bench.short_form;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 /*
- * bench_setup MESH...
+ * bench_setup MODELS
  *
  * What the library does with triangles before a board sees them: how many it sets up a second, and
  * how many words they are in the stream. Counted is the processor time of the calling thread, which
  * transforms, lights, sets up, bins and packs; the board is the C model in another thread. The
- * first mesh's figure is printed as "name value" for make bench.
+ * scenes are gloss-view's of the bunny and the horse, in the folder MODELS, and of spheres. Lines
+ * "name value" are for make bench.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -14,20 +15,25 @@
 #include <time.h>
 
 #include "gloss_packets.h"
-#include "scene/matrix.h"
-#include "scene/mesh.h"
 #include "scene/scene.h"
+#include "subject.h"
 
-#define SIZE 480
+#define WIDTH 640
+#define HEIGHT 480
+#define ANGLES 4
 #define SECONDS 1.5
-#define FRAMES_MIN 5
+#define TURNS_MIN 5
+#define BYTES_MOST 48 /* of a triangle in the stream */
+
+struct rates {
+	double mtri_s, bytes;
+};
 
 struct bench {
+	const char *models;
 	struct accel_device *device;
 	struct accel_target *target;
 	struct accel_draw *draw;
-	struct accel_state *state;
-	struct scene scene;
 };
 
 static void need(int ret, const char *what)
@@ -47,8 +53,8 @@ static double thread_time(void)
 }
 
 /* Draws a frame; returns the calling thread's seconds for it. */
-static double draw(struct bench *bench, const struct accel_mesh *mesh,
-		   struct accel_draw_stats *stats)
+static double draw(struct bench *bench, const struct accel_state *state,
+		   const struct accel_mesh *mesh, struct accel_draw_stats *stats)
 {
 	double start = thread_time(), time;
 	static const struct accel_clear black = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR |
@@ -58,7 +64,7 @@ static double draw(struct bench *bench, const struct accel_mesh *mesh,
 
 	need(accel_draw_begin(bench->draw, bench->target, &black), "accel_draw_begin");
 	need(accel_draw_discard(bench->draw, ACCEL_CLEAR_DEPTH), "accel_draw_discard");
-	need(accel_draw_mesh(bench->draw, bench->state, mesh), "accel_draw_mesh");
+	need(accel_draw_mesh(bench->draw, state, mesh), "accel_draw_mesh");
 	need(accel_draw_submit(bench->draw, &fence), "accel_draw_submit");
 	time = thread_time() - start;
 	accel_draw_stats(bench->draw, stats, sizeof(*stats));
@@ -66,58 +72,65 @@ static double draw(struct bench *bench, const struct accel_mesh *mesh,
 	return time;
 }
 
-static void place(struct bench *bench, const struct mesh *mesh)
+/* Draws all scenes; returns the seconds for them. */
+static double turn(struct bench *bench, const struct scene *scenes, enum accel_shading shading,
+		   struct accel_draw_stats *sum)
 {
-	struct scene *scene = &bench->scene;
-	float centre[3], radius;
+	struct accel_draw_stats stats;
+	struct accel_state *state;
+	double time = 0;
 
-	mesh_bounds(mesh, centre, &radius);
-	matrix_perspective(scene->projection, 30, 1, 2.9f, 5.2f);
-	matrix_identity(scene->modelview);
-	matrix_translate(scene->modelview, 0, 0, -4.05f);
-	matrix_rotate_y(scene->modelview, 28.6f);
-	matrix_scale(scene->modelview, 1 / radius);
-	matrix_translate(scene->modelview, -centre[0], -centre[1], -centre[2]);
-	scene->light[0] = scene_light_direction(0.3f, 0.4f, 0.866f);
-	need(scene_apply(scene, bench->state), "scene_apply");
-	accel_state_set_shading(bench->state, ACCEL_SHADING_QUADRATIC);
+	memset(sum, 0, sizeof(*sum));
+	need(accel_state_new(&state), "accel_state_new");
+	accel_state_set_shading(state, shading);
+	for (int i = 0; i < ANGLES; i++) {
+		need(scene_apply(&scenes[i], state), "scene_apply");
+		time += draw(bench, state, &scenes[i].mesh, &stats);
+		sum->flat += stats.flat;
+		sum->linear += stats.linear;
+		sum->second_order += stats.second_order;
+		sum->stream_words += stats.stream_words;
+	}
+	accel_state_free(state);
+	return time;
 }
 
-static void measure(struct bench *bench, const char *name, bool figure)
+/* Million triangles a second, and bytes of the stream for each, of what is drawn. */
+static struct rates measure(struct bench *bench, const struct subject *subject,
+			    enum accel_shading shading)
 {
-	double begin = thread_time(), least = 1e9;
-	struct accel_draw_stats stats;
-	static const struct mesh_options smooth = { .normals = MESH_NORMALS_SMOOTH };
-	char message[MESH_MESSAGE];
-	struct accel_mesh lent;
-	struct mesh mesh;
-	uint64_t drawn;
-	double rate;
+	double begin = thread_time(), least = 1e9, drawn;
+	struct scene scenes[ANGLES];
+	struct view_options options;
+	struct accel_draw_stats sum;
+	struct rates rates;
+	struct view view;
 
-	need(mesh_load(name, &smooth, &mesh, message), name);
-	place(bench, &mesh);
-	lent = mesh_lend(&mesh);
-	for (int i = 0; i < FRAMES_MIN || thread_time() - begin < SECONDS; i++) {
-		double time = draw(bench, &lent, &stats);
+	if (subject_load(subject, bench->models, WIDTH, HEIGHT, &options, &view))
+		exit(1);
+	subject_scenes(&view, scenes, ANGLES);
+	for (int i = 0; i < TURNS_MIN || thread_time() - begin < SECONDS; i++) {
+		double time = turn(bench, scenes, shading, &sum);
 
 		least = time < least ? time : least;
 	}
-	drawn = stats.flat + stats.linear + stats.second_order;
-	rate = (double)drawn / least * 1e-6;
-	printf("# %s: %.3f Mtriangle/s, %lu of %lu triangles drawn (%lu second order)\n", name,
-	       rate, (unsigned long)drawn, (unsigned long)stats.triangles_in,
-	       (unsigned long)stats.second_order);
-	if (figure)
-		printf("setup.mtri_s %.3f\n", rate);
-	mesh_free(&mesh);
+	drawn = (double)(sum.flat + sum.linear + sum.second_order);
+	rates.mtri_s = drawn / least * 1e-6;
+	rates.bytes = 4.0 * (double)sum.stream_words / drawn;
+	printf("# %s, %s: %.3f Mtriangle/s, %.1f bytes a triangle; of %u triangles %.0f are drawn, "
+	       "%lu of them second order\n",
+	       subject->name, view_shading_name(shading), rates.mtri_s, rates.bytes,
+	       view.mesh.triangles, drawn / ANGLES, (unsigned long)sum.second_order / ANGLES);
+	view_close(&view);
+	return rates;
 }
 
 /* The words that @count small triangles in one tile are with @shading, with all around them. */
 static uint64_t words(struct bench *bench, enum accel_shading shading, uint32_t count)
 {
 	static const float position[6][3] = {
-		{ -0.9f, 0.9f, 0 }, { -0.9f, 0.85f, 0 }, { -0.85f, 0.9f, 0 },
-		{ -0.8f, 0.9f, 0 }, { -0.8f, 0.85f, 0 }, { -0.75f, 0.9f, 0 },
+		{ -0.9f, 0.9f, 0 },  { -0.9f, 0.85f, 0 },  { -0.87f, 0.9f, 0 },
+		{ -0.85f, 0.9f, 0 }, { -0.85f, 0.85f, 0 }, { -0.82f, 0.9f, 0 },
 	};
 	static const float normal[6][3] = {
 		{ 0.1f, 0, 1 }, { 0, 0.2f, 1 }, { -0.2f, 0, 1 },
@@ -128,12 +141,18 @@ static uint64_t words(struct bench *bench, enum accel_shading shading, uint32_t 
 						  .position = { .data = position },
 						  .normal = { .data = normal });
 	struct accel_draw_stats stats;
+	struct accel_state *state;
+	struct scene scene;
 
-	scene_init(&bench->scene, SIZE, SIZE);
-	need(scene_apply(&bench->scene, bench->state), "scene_apply");
-	accel_state_set_local_viewer(bench->state, false);
-	accel_state_set_shading(bench->state, shading);
-	draw(bench, &mesh, &stats);
+	scene_init(&scene, WIDTH, HEIGHT);
+	scene.local_viewer = false;
+	need(accel_state_new(&state), "accel_state_new");
+	need(scene_apply(&scene, state), "scene_apply");
+	accel_state_set_shading(state, shading);
+	/* Twice, so that no tile needs clearing of what another frame drew. */
+	draw(bench, state, &mesh, &stats);
+	draw(bench, state, &mesh, &stats);
+	accel_state_free(state);
 	if (stats.records != count)
 		need(-ERANGE, "a record for each triangle");
 	return stats.stream_words;
@@ -151,23 +170,41 @@ static void record(struct bench *bench, const char *name, enum accel_shading sha
 	printf("stream.words.%s %lu\n", name, (unsigned long)packed);
 }
 
+/* The bunny as it is drawn, and the others for a look at what its figures depend on. */
+static bool measure_all(struct bench *bench)
+{
+	struct rates bunny = measure(bench, &subject_bunny, ACCEL_SHADING_ADAPTIVE);
+	bool missed = bunny.bytes > BYTES_MOST;
+
+	printf("setup.mtri_s %.3f\n", bunny.mtri_s);
+	printf("stream.bytes_per_triangle.bunny %.1f   # at most %d%s\n", bunny.bytes, BYTES_MOST,
+	       missed ? ": MISSED" : "");
+	measure(bench, &subject_bunny, ACCEL_SHADING_GOURAUD);
+	measure(bench, &subject_bunny, ACCEL_SHADING_QUADRATIC);
+	measure(bench, &subject_horse, ACCEL_SHADING_ADAPTIVE);
+	measure(bench, &subject_sphere3, ACCEL_SHADING_ADAPTIVE);
+	measure(bench, &subject_sphere5, ACCEL_SHADING_QUADRATIC);
+	return missed;
+}
+
 int main(int argc, char **argv)
 {
-	struct bench bench;
+	struct bench bench = { .models = argc == 2 ? argv[1] : NULL };
+	bool missed;
 
-	scene_init(&bench.scene, SIZE, SIZE);
+	if (!bench.models) {
+		fprintf(stderr, "usage: bench_setup MODELS\n");
+		return 2;
+	}
 	need(accel_device_new("model:", NULL, NULL, &bench.device), "model:");
-	need(accel_target_new(bench.device, SIZE, SIZE, &bench.target), "accel_target_new");
+	need(accel_target_new(bench.device, WIDTH, HEIGHT, &bench.target), "accel_target_new");
 	need(accel_draw_new(bench.device, &bench.draw), "accel_draw_new");
-	need(accel_state_new(&bench.state), "accel_state_new");
-	for (int i = 1; i < argc; i++)
-		measure(&bench, argv[i], i == 1);
+	missed = measure_all(&bench);
 	record(&bench, "flat", ACCEL_SHADING_FLAT, GLOSS_SHADING_FLAT);
 	record(&bench, "linear", ACCEL_SHADING_GOURAUD, GLOSS_SHADING_LINEAR);
 	record(&bench, "second_order", ACCEL_SHADING_QUADRATIC, GLOSS_SHADING_SECOND_ORDER);
-	accel_state_free(bench.state);
 	accel_draw_free(bench.draw);
 	accel_target_free(bench.target);
 	accel_device_free(bench.device);
-	return 0;
+	return missed;
 }
