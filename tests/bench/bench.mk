@@ -4,7 +4,7 @@
 ##@ Pictures and figures
 
 BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_setup bench_shade)
-BENCHES += bench-frame bench-shade bench-setup bench-load nmse
+BENCHES += bench-frame bench-growth bench-shade bench-setup bench-load nmse
 
 # SHORT=1: one round of what compares with Mesa, to try it out; then no aim counts.
 SHORT ?= 0
@@ -17,22 +17,25 @@ $(BENCH_PROGRAMS): $(SCENE_OBJS) $(BUILD)/libaccel.a
 # Those that compare with Mesa, which libepoxy opens at run time.
 CONTEST_OBJS := $(addprefix $(BUILD)/tests/bench/, contest.o contest_picture.o gl_context.o gl_scene.o \
 	painter.o painter_gl.o painter_own.o)
-CONTEST_PROGRAMS := $(BUILD)/tests/bench/bench_frame
+CONTEST_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_frame bench_growth)
 $(CONTEST_PROGRAMS): private LIBS := $(SCENE_LIBS) -lepoxy -ldl
 $(CONTEST_PROGRAMS): $(CONTEST_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
 
 # Those that draw what gloss-view draws.
 SUBJECT_OBJS := $(BUILD)/tests/bench/subject.o $(addprefix $(BUILD)/tools/view/, camera.o draw.o light.o \
 	material.o number.o options.o progress.o)
-$(BUILD)/tests/bench/bench_frame $(BUILD)/tests/bench/bench_setup: $(SUBJECT_OBJS)
+$(CONTEST_PROGRAMS) $(BUILD)/tests/bench/bench_setup: $(SUBJECT_OBJS)
 
 # What a benchmark prints is shown and kept, also if it fails: a figure that misses its aim is one.
 keep_figures = mkdir -p $(BUILD)/bench && { tests/bench/retry $(BUILD)/bench/$(1).txt $(2); status=$$?; } && \
 	cat $(BUILD)/bench/$(1).txt && exit $$status
 
-.PHONY: bench bench-frame bench-load bench-shade bench-setup figures frame-pictures run-merge run-bench-run
+.PHONY: bench bench-frame bench-growth bench-load bench-shade bench-setup figures frame-pictures run-merge run-bench-run
 bench-frame: $(BUILD)/tests/bench/bench_frame ## frames a processor second against Mesa's drivers (SHORT=1: one round)
 	$(Q)$(call keep_figures,frame,$< $(SHORT_OPTION) $(MODELS))
+
+bench-growth: $(BUILD)/tests/bench/bench_growth ## the same by the size of triangles, their number, and pixels (SHORT=1)
+	$(Q)$(call keep_figures,growth,$< $(SHORT_OPTION))
 
 frame-pictures: $(BUILD)/tests/bench/bench_frame ## bench-frame compares ways that draw the same pictures
 	$(call quiet,TEST,frame pictures)

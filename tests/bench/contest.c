@@ -6,20 +6,24 @@
 
 #include "contest.h"
 
-#define DEVICE "model:"
+#define DEVICE "model:threads=1"
 
 static const struct way ways[CONTEST_WAYS] = {
 	[CONTEST_GLOSS] = { "gloss", &painter_library, .device = DEVICE,
-			    .shading = ACCEL_SHADING_ADAPTIVE },
+			    .shading = ACCEL_SHADING_ADAPTIVE, .nmse = 2.5e-4 },
+	[CONTEST_THREADS] = { "threads2", &painter_library, .device = "model:threads=2",
+			      .shading = ACCEL_SHADING_ADAPTIVE, .nmse = 2.5e-4 },
 	[CONTEST_GOURAUD] = { "gouraud", &painter_library, .device = DEVICE,
-			      .shading = ACCEL_SHADING_GOURAUD },
-	[CONTEST_CPHONG] = { "cphong", &painter_phong },
-	[CONTEST_LLVMPIPE_GOURAUD] = { "llvmpipe_gouraud", &painter_gl, .driver = "llvmpipe" },
+			      .shading = ACCEL_SHADING_GOURAUD, .nmse = 5e-3 },
+	[CONTEST_CPHONG] = { "cphong", &painter_phong, .nmse = 1e-5 },
+	[CONTEST_LLVMPIPE_GOURAUD] = { "llvmpipe_gouraud", &painter_gl, .driver = "llvmpipe",
+				       .as_gouraud = true, .nmse = 1e-4 },
 	[CONTEST_LLVMPIPE_PHONG] = { "llvmpipe_phong", &painter_gl, .driver = "llvmpipe",
-				     .per_pixel = true },
-	[CONTEST_SOFTPIPE_GOURAUD] = { "softpipe_gouraud", &painter_gl, .driver = "softpipe" },
+				     .per_pixel = true, .nmse = 1e-4 },
+	[CONTEST_SOFTPIPE_GOURAUD] = { "softpipe_gouraud", &painter_gl, .driver = "softpipe",
+				       .as_gouraud = true, .nmse = 1e-4 },
 	[CONTEST_SOFTPIPE_PHONG] = { "softpipe_phong", &painter_gl, .driver = "softpipe",
-				     .per_pixel = true },
+				     .per_pixel = true, .nmse = 1e-4 },
 };
 
 const char *contest_name(enum contest_way way)
@@ -79,6 +83,8 @@ static int add_sample(struct contest *contest, const struct scene *scenes, int c
 	for (int i = 0; i < count && !ret; i++) {
 		ret = painter_draw(&contest->painter[way], &scenes[i], &cost);
 		sum += cost.processor;
+		if (!contest->rounds[way] || cost.wall < contest->wall[way][i])
+			contest->wall[way][i] = cost.wall;
 	}
 	if (ret) {
 		fprintf(stderr, "%s: can not draw: %s\n", contest_name(way), strerror(-ret));
@@ -132,4 +138,15 @@ struct contest_spread contest_speed(const struct contest *contest, enum contest_
 	for (int i = 0; i < contest->rounds[way]; i++)
 		sample[i] = contest->sample[way][i] / contest->sample[CONTEST_GLOSS][i];
 	return spread(sample, contest->rounds[way]);
+}
+
+double contest_threads(const struct contest *contest)
+{
+	double one = 0, two = 0;
+
+	for (int i = 0; i < CONTEST_SCENES; i++) {
+		one += contest->wall[CONTEST_GLOSS][i];
+		two += contest->wall[CONTEST_THREADS][i];
+	}
+	return one / two;
 }

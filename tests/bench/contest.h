@@ -9,7 +9,8 @@
 #include "painter.h"
 
 enum contest_way {
-	CONTEST_GLOSS,   /* adaptive shading on the model */
+	CONTEST_GLOSS,   /* adaptive shading on the model, with one thread */
+	CONTEST_THREADS, /* the same with two threads */
 	CONTEST_GOURAUD, /* Gouraud shading there: what OpenGL's Gouraud is compared with */
 	CONTEST_CPHONG,
 	CONTEST_LLVMPIPE_GOURAUD,
@@ -20,11 +21,13 @@ enum contest_way {
 };
 
 #define CONTEST_ROUNDS 32
+#define CONTEST_SCENES 8
 
 struct contest {
 	struct painter painter[CONTEST_WAYS]; /* without a way: not there */
 	int rounds[CONTEST_WAYS];
 	double sample[CONTEST_WAYS][CONTEST_ROUNDS]; /* processor seconds of a round */
+	double wall[CONTEST_WAYS][CONTEST_SCENES];   /* least seconds that a scene took */
 };
 
 /* Of some rounds. */
@@ -52,7 +55,7 @@ bool contest_has(const struct contest *contest, enum contest_way way);
 int contest_compare(struct contest *contest, const struct scene *scenes, int count,
 		    const char *name);
 
-/* A round: each way of @which draws all @scenes, one way after the other. -errno after a message. */
+/* A round, of at most CONTEST_SCENES: each way of @which draws all @scenes, one way after the other. -errno after a message. */
 int contest_round(struct contest *contest, const struct scene *scenes, int count,
 		  unsigned int which);
 
@@ -60,5 +63,7 @@ int contest_round(struct contest *contest, const struct scene *scenes, int count
 struct contest_spread contest_cost(const struct contest *contest, enum contest_way way);
 /* The library's speed over that of @way: of the quotients of each round. */
 struct contest_spread contest_speed(const struct contest *contest, enum contest_way way);
+/* Wall time of the library with one thread over that with two: of the least times of each scene. */
+double contest_threads(const struct contest *contest);
 
 #endif

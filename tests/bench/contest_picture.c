@@ -16,16 +16,6 @@
 #define SURFACE (1.0f / 500)
 #define STRAY 0.01
 
-static const struct bound {
-	bool gouraud; /* against the library's Gouraud shading, not per-pixel Phong */
-	double nmse;
-} bounds[CONTEST_WAYS] = {
-	[CONTEST_GLOSS] = { false, 2.5e-4 },        [CONTEST_GOURAUD] = { false, 5e-3 },
-	[CONTEST_CPHONG] = { false, 1e-5 },         [CONTEST_LLVMPIPE_GOURAUD] = { true, 1e-4 },
-	[CONTEST_LLVMPIPE_PHONG] = { false, 1e-4 }, [CONTEST_SOFTPIPE_GOURAUD] = { true, 1e-4 },
-	[CONTEST_SOFTPIPE_PHONG] = { false, 1e-4 },
-};
-
 /* What pictures of one scene are compared with. */
 struct references {
 	struct phong_frame phong, gouraud;
@@ -73,8 +63,9 @@ static void mark_strays(struct painter *painter, const struct phong_frame *frame
 static int add_picture(struct contest *contest, enum contest_way way, const struct scene *scene,
 		       struct references *references, struct quality *quality)
 {
-	const struct phong_frame *frame = bounds[way].gouraud ? &references->gouraud :
-								&references->phong;
+	const struct phong_frame *frame = contest->painter[way].way->as_gouraud ?
+						  &references->gouraud :
+						  &references->phong;
 	struct painter *painter = &contest->painter[way];
 	int ret = painter_picture(painter, scene);
 
@@ -98,19 +89,19 @@ static int add_scene(struct contest *contest, const struct scene *scene,
 	return ret;
 }
 
-static int judge(enum contest_way way, const struct quality *quality, const char *name)
+static int judge(const struct way *way, const struct quality *quality, const char *name)
 {
 	double nmse = quality_nmse(quality);
 	double stray = (double)quality->stray / (double)quality->pixels;
 
 	printf("# %s: %s: NMSE against %s %.1e, at most %.1e; %.2f %% show another surface\n", name,
-	       contest_name(way), bounds[way].gouraud ? "gouraud" : "per-pixel Phong", nmse,
-	       bounds[way].nmse, 100 * stray);
+	       way->name, way->as_gouraud ? "gouraud" : "per-pixel Phong", nmse, way->nmse,
+	       100 * stray);
 	fflush(stdout);
-	if (quality->pixels && nmse <= bounds[way].nmse && stray <= STRAY)
+	if (quality->pixels && nmse <= way->nmse && stray <= STRAY)
 		return 0;
 	fprintf(stderr, "%s: %s: not the picture that it should be, NMSE %.1e, %.2f %% stray\n",
-		name, contest_name(way), nmse, 100 * stray);
+		name, way->name, nmse, 100 * stray);
 	return -EIO;
 }
 
@@ -129,7 +120,8 @@ int contest_compare(struct contest *contest, const struct scene *scenes, int cou
 	if (ret)
 		fprintf(stderr, "%s: can not compare pictures: %s\n", name, strerror(-ret));
 	for (enum contest_way way = 0; way < CONTEST_WAYS && !ret; way++)
-		if (contest_has(contest, way) && judge(way, &quality[way], name))
+		if (contest_has(contest, way) &&
+		    judge(contest->painter[way].way, &quality[way], name))
 			failed = -EIO;
 	return ret ? ret : failed;
 }

@@ -39,6 +39,8 @@ struct way {
 	enum accel_shading shading; /* and how it shades there */
 	const char *driver;         /* Mesa's; */
 	bool per_pixel;             /* a shader of it lights each pixel */
+	bool as_gouraud; /* draws what the library does with Gouraud, not per-pixel Phong */
+	double nmse;     /* the most that its pictures may be away from that */
 };
 
 struct painter {
