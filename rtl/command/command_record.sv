@@ -150,6 +150,25 @@ module command_record #(
     else if (take_i) checked_words_q <= words_o;
   end
 
+  // The second word of a small record.
+  // verilator lint_off UNUSEDSIGNAL
+  gloss_pkg::pixels_small_t pixels;
+  // verilator lint_on UNUSEDSIGNAL
+  logic [6:0] last_pixels;
+  logic       pixels_here_q, many;  // many: rows that no words are sent for
+
+  always_ff @(posedge clk_i) begin
+    if (start_i) pixels_here_q <= is_small && Lanes > 1;
+    else if (take_i)
+      pixels_here_q <= Lanes == 1 && part_q == gloss_pkg::PART_SMALL && row_q == 5'd1;
+  end
+
+  assign pixels = data_i[32*(1 % Lanes) +: 32];
+  assign last_pixels = 7'(pixels.first_row) + 7'(pixels.last_row);
+  assign many = !small_header.row_words[2] &&
+                pixels.last_row > {small_header.row_words[1:0], 2'b01};
+  assign bad_pixels = pixels_here_q && (many || (last_pixels & PastTile) != '0);
+
   for (genvar l = 0; l < Lanes; l++) begin : gen_lane
     logic [31:0] value, reserved, reserved_q;
     logic [3:0]  word;
@@ -191,27 +210,6 @@ module command_record #(
         reserved_q <= reserved;
         rows_here_q <= rows_here;
       end
-    end
-
-    // The second word of a small record.
-    if (l == 1 % Lanes) begin : gen_pixels
-      // verilator lint_off UNUSEDSIGNAL
-      gloss_pkg::pixels_small_t pixels;
-      // verilator lint_on UNUSEDSIGNAL
-      logic [6:0] last_pixels;
-      logic       pixels_here_q, many;  // many: rows that no words are sent for
-
-      always_ff @(posedge clk_i) begin
-        if (start_i) pixels_here_q <= is_small && Lanes > 1;
-        else if (take_i)
-          pixels_here_q <= Lanes == 1 && part_q == gloss_pkg::PART_SMALL && row_q == 5'd1;
-      end
-
-      assign pixels = value;
-      assign last_pixels = 7'(pixels.first_row) + 7'(pixels.last_row);
-      assign many = !small_header.row_words[2] &&
-                    pixels.last_row > {small_header.row_words[1:0], 2'b01};
-      assign bad_pixels = pixels_here_q && (many || (last_pixels & PastTile) != '0);
     end
 
     assign value = data_i[32*l +: 32];
