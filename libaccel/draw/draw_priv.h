@@ -15,7 +15,9 @@
  *   split.c      what a triangle needs; splitting it at edge midpoints
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
+ *   small.c      the same of small triangles, to short numbers
  *   record.c     one TRIANGLE packet
+ *   record_small.c  one TRIANGLE_SMALL packet
  *   bin.c        records by tile (bin.h)
  *   content.c    what the target's tiles are known to hold (content.h)
  *   frame.c      the frame's command stream
@@ -365,8 +367,17 @@ struct accel_basis {
 	double u, v, ux, uy, vx, vy;
 };
 
+/* What TRIANGLE_SMALL has of a triangle. */
+struct accel_small {
+	bool fits; /* its coefficients are rounded for it, until then: it is small enough */
+	int x0, y0, x1, y1;   /* its pixels; x1 and y1 are outside */
+	int anchor_x;         /* with y0: where it is rounded */
+	uint32_t depth_scale; /* of its plane */
+};
+
 struct accel_triangle {
 	struct accel_setup setup;
+	struct accel_small small;
 	const struct accel_depth_plane *plane;
 	int x, y; /* pixel the surfaces hold at */
 	enum gloss_shading shading;
@@ -390,6 +401,20 @@ void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_b
 			   const struct accel_vertex *const vertex[3]);
 void accel_surface_flat(struct accel_triangle *triangle, const float colour[4]);
 
+/* ---- small.c ---- */
+
+/* Pixels a side of the largest triangle that is small. */
+#define ACCEL_SMALL_SIZE 16
+
+void accel_small_init(struct accel_small *small, const struct accel_setup *setup);
+/* Rounds the plane of a triangle that is small enough, for it and for all parts of it. */
+void accel_small_plane(struct accel_depth_plane *plane);
+/*
+ * Rounds the surfaces of a triangle, if it is small enough and no colour changes by more than a
+ * quarter of a level; else clears small.fits and changes nothing.
+ */
+void accel_small_round(struct accel_triangle *triangle);
+
 /* ---- split.c ---- */
 
 /*
@@ -411,10 +436,23 @@ struct accel_place {
 	const struct accel_row *row; /* of row @first */
 };
 
+/* The column, of the target, at which a record's coefficients hold. */
+int accel_record_anchor_x(const struct accel_place *place);
+/* A surface moved by (u, v); the core's arithmetic wraps, and so does this. */
+void accel_record_surface_at(const struct accel_surface *surface, uint32_t u, uint32_t v,
+			     struct accel_surface *moved);
+/* Packs colour_flat; returns its words. */
+uint32_t accel_record_flat(uint32_t *words, const uint8_t constant[4]);
 /* Packs the triangle's record for a tile; returns its words. */
 uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
 			   const struct accel_triangle *triangle, const struct accel_place *place);
 /* A record that fills a tile with a colour (as a colour surface's word) and a depth. */
 uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, uint32_t depth);
+
+/* ---- record_small.c ---- */
+
+/* Packs a triangle whose small.fits; 0: at this place it does not. */
+uint32_t accel_record_small(uint32_t words[ACCEL_RECORD_WORDS],
+			    const struct accel_triangle *triangle, const struct accel_place *place);
 
 #endif

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/* One TRIANGLE packet: a triangle's edges and surfaces, as a tile has them. */
+/* One TRIANGLE packet: a triangle's edges and surfaces, as a tile has them. record_small.c has the
+ * short form. */
 #include "draw/draw_priv.h"
 
-static int record_anchor_x(const struct accel_place *place)
+int accel_record_anchor_x(const struct accel_place *place)
 {
 	int x = place->covering ? 0 : place->row->left - place->x;
 
@@ -117,9 +118,8 @@ static uint32_t record_pack_depth(uint32_t *words, const struct accel_depth_plan
 			 record_pack_depth_wide(words, z, plane->dx, plane->dy);
 }
 
-/* A surface moved to where it is asked for; the core's arithmetic wraps, and so does this. */
-static void record_surface_at(const struct accel_surface *surface, uint32_t u, uint32_t v,
-			      struct accel_surface *moved)
+void accel_record_surface_at(const struct accel_surface *surface, uint32_t u, uint32_t v,
+			     struct accel_surface *moved)
 {
 	/* Products of neighbours: u (u - 1) / 2 is whole before it wraps. */
 	uint32_t uu = (uint32_t)((int64_t)(int32_t)u * ((int32_t)u - 1) / 2);
@@ -138,7 +138,7 @@ static uint32_t record_pack_surface(uint32_t *words, const struct accel_surface 
 {
 	struct accel_surface moved;
 
-	record_surface_at(surface, u, v, &moved);
+	accel_record_surface_at(surface, u, v, &moved);
 	words[0] = moved.i;
 	words[1] = moved.dx;
 	words[2] = moved.dy;
@@ -148,6 +148,13 @@ static uint32_t record_pack_surface(uint32_t *words, const struct accel_surface 
 	words[4] = moved.dxy;
 	words[5] = moved.dyy;
 	return 6;
+}
+
+uint32_t accel_record_flat(uint32_t *words, const uint8_t constant[4])
+{
+	gloss_colour_flat_pack(words, &(struct gloss_colour_flat){ constant[0], constant[1],
+								   constant[2] });
+	return GLOSS_COLOUR_FLAT_WORDS;
 }
 
 static uint32_t record_pack_colour(uint32_t *words, const struct accel_triangle *triangle, int x,
@@ -161,21 +168,14 @@ static uint32_t record_pack_colour(uint32_t *words, const struct accel_triangle 
 		count += record_pack_surface(words, &triangle->channel[3], u, v, true);
 	for (int i = 0; i < 3 && !flat; i++)
 		count += record_pack_surface(words + count, &triangle->channel[i], u, v, linear);
-	if (!flat)
-		return count;
-	gloss_colour_flat_pack(words + count, &(struct gloss_colour_flat){
-						      .red = triangle->constant[0],
-						      .green = triangle->constant[1],
-						      .blue = triangle->constant[2],
-					      });
-	return count + GLOSS_COLOUR_FLAT_WORDS;
+	return flat ? count + accel_record_flat(words + count, triangle->constant) : count;
 }
 
-uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
-			   const struct accel_triangle *triangle, const struct accel_place *place)
+static uint32_t record_pack_large(uint32_t *words, const struct accel_triangle *triangle,
+				  const struct accel_place *place)
 {
 	bool compact = !place->covering && triangle->setup.narrow && triangle->plane->narrow;
-	int x = record_anchor_x(place);
+	int x = accel_record_anchor_x(place);
 	uint32_t count = 1;
 
 	gloss_triangle_pack(words,
@@ -193,6 +193,16 @@ uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
 		count += record_pack_edges_wide(words + count, &triangle->setup, place);
 	count += record_pack_depth(words + count, triangle->plane, compact, x, place->first);
 	return count + record_pack_colour(words + count, triangle, x, place->first);
+}
+
+uint32_t accel_record_pack(uint32_t words[ACCEL_RECORD_WORDS],
+			   const struct accel_triangle *triangle, const struct accel_place *place)
+{
+	uint32_t count = 0;
+
+	if (triangle->small.fits)
+		count = accel_record_small(words, triangle, place);
+	return count ? count : record_pack_large(words, triangle, place);
 }
 
 uint32_t accel_record_fill(uint32_t words[ACCEL_RECORD_WORDS], uint32_t colour, uint32_t depth)

@@ -191,8 +191,9 @@ static int splits(const struct whole *whole, const struct accel_patch *patch)
 	return count || accel_shading_inside(whole->pass, patch, whole->side) ? 3 : 0;
 }
 
-static int split_draw(struct accel_pass *pass, const struct accel_triangle *triangle)
+static int split_draw(struct accel_pass *pass, struct accel_triangle *triangle)
 {
+	accel_small_round(triangle);
 	switch (triangle->shading) {
 	case GLOSS_SHADING_FLAT:
 		pass->stats->flat++;
@@ -219,6 +220,7 @@ static int split_draw_part(const struct whole *whole, const struct accel_patch *
 	count = splits(whole, patch);
 	if (count)
 		return split(whole, patch, count);
+	accel_small_init(&triangle.small, &triangle.setup);
 	accel_surface_basis(&basis, patch->vertex);
 	accel_surface_patch(&triangle, &basis, patch);
 	return split_draw(pass, &triangle);
@@ -272,6 +274,9 @@ int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[
 	}
 	accel_surface_basis(&basis, corner);
 	accel_surface_plane(&whole.plane, &basis, corner, triangle.setup.narrow);
+	accel_small_init(&triangle.small, &triangle.setup);
+	if (triangle.small.fits)
+		accel_small_plane(&whole.plane);
 	triangle.plane = &whole.plane;
 	if (pass->state->shading == ACCEL_SHADING_FLAT) {
 		accel_shading_vertex(pass, flat, side);

@@ -21,14 +21,14 @@ $(foreach program,$(UNIT_PROGRAMS),$(eval $(call unit_run,$(program))))
 
 # ---- model/ ----
 
-MODEL_TESTS := $(addprefix test_model_, command draw fault memory parallel random raster triangle)
+MODEL_TESTS := $(addprefix test_model_, command draw fault memory parallel random raster small triangle)
 UNIT_TESTS += $(MODEL_TESTS)
 $(call unit,$(MODEL_TESTS)): $(BUILD)/tests/unit/model/reference.o $(STREAM_RANDOM_OBJS)
 $(call unit,test_model_fault): $(BUILD)/tests/unit/model/fault_cases.o
 
 # ---- draw/ ----
 
-DRAW_UNIT_TESTS := test_setup test_setup_surface test_fetch test_geometry test_lighting test_shading \
+DRAW_UNIT_TESTS := test_setup test_setup_surface test_small test_fetch test_geometry test_lighting test_shading \
 	test_kernel test_bin test_content test_frame test_draw_colour test_draw_parts test_draw_split \
 	test_draw_clip test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
 DRAW_SQUARE_TESTS := test_draw test_draw_frame test_draw_input

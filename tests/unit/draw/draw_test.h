@@ -67,7 +67,7 @@ static inline bool triangle_ready(struct accel_triangle *triangle, struct accel_
 	return true;
 }
 
-/* Called for each TRIANGLE packet of a bin. */
+/* Called for each triangle's packet of a bin. */
 typedef void (*record_fn)(void *data, const uint32_t *packet, int tile_x, int tile_y,
 			  int tile_size);
 
@@ -78,11 +78,22 @@ static inline uint32_t packet_words(uint32_t header)
 	return 1 + gloss_header_length(header);
 }
 
+/* A triangle's packet of either kind. */
+static inline void record_unpack(const uint32_t *packet, int tile_size,
+				 struct model_triangle *triangle)
+{
+	if (gloss_header_opcode(packet[0]) == GLOSS_OP_TRIANGLE_SMALL)
+		model_triangle_small_unpack(packet, triangle);
+	else
+		model_triangle_unpack(packet, tile_size, triangle);
+}
+
 static inline void records_of_words(const uint32_t *words, uint32_t count, record_fn call,
 				    void *data, int x, int y, int tile_size)
 {
 	while (count) {
 		uint32_t length = packet_words(words[0]);
+		struct gloss_triangle_small header_small;
 		struct gloss_triangle header;
 
 		assert_true(length <= count);
@@ -93,6 +104,10 @@ static inline void records_of_words(const uint32_t *words, uint32_t count, recor
 				assert_int_equal(gloss_edges_wide_invalid(words + 1), -1);
 			if (header.geometry == GLOSS_GEOMETRY_COMPACT)
 				assert_int_equal(gloss_edges_compact_invalid(words + 1), -1);
+			call(data, words, x, y, tile_size);
+		} else if (gloss_header_opcode(words[0]) == GLOSS_OP_TRIANGLE_SMALL) {
+			gloss_triangle_small_unpack(words, &header_small);
+			assert_int_equal(length, 1 + gloss_triangle_small_length(&header_small));
 			call(data, words, x, y, tile_size);
 		}
 		words += length;
@@ -136,7 +151,7 @@ static inline void coverage_record(void *data, const uint32_t *packet, int tile_
 	struct model_span span;
 	bool empty = true;
 
-	model_triangle_unpack(packet, tile_size, &triangle);
+	record_unpack(packet, tile_size, &triangle);
 	assert_true(triangle.first_row + triangle.last_row < tile_size);
 	model_raster_begin(&walk, &triangle);
 	while (model_raster_next(&walk, &scissor, &span)) {
@@ -164,7 +179,7 @@ static inline void picture_record(void *data, const uint32_t *packet, int tile_x
 	struct model_walk walk;
 	struct model_span span;
 
-	model_triangle_unpack(packet, tile_size, &triangle);
+	record_unpack(packet, tile_size, &triangle);
 	model_raster_begin(&walk, &triangle);
 	while (model_raster_next(&walk, &scissor, &span)) {
 		int at = (tile_y + span.y) * picture->pitch + tile_x + span.x0;
