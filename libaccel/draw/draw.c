@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "draw/content.h"
+#include "draw/group.h"
 
 struct accel_draw {
 	struct accel_device *device;
@@ -13,11 +14,7 @@ struct accel_draw {
 	struct accel_target target;    /* of this frame, a reference to each of its parts */
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
-	struct accel_vertex *vertex;   /* scratch, kept from mesh to mesh */
-	struct accel_screen *screen;   /* as many */
-	uint32_t vertices;
-	struct accel_edge_entry *cache;
-	uint64_t passes;
+	struct accel_group group;      /* of a mesh; its memory is kept from mesh to mesh */
 };
 
 int accel_draw_new(struct accel_device *device, struct accel_draw **out)
@@ -27,21 +24,14 @@ int accel_draw_new(struct accel_device *device, struct accel_draw **out)
 
 	if (!draw)
 		return -ENOMEM;
-	draw->cache = calloc(ACCEL_EDGE_CACHE, sizeof(*draw->cache));
-	if (!draw->cache) {
-		err = -ENOMEM;
-		goto err_free;
-	}
 	err = accel_stream_new(device, &draw->stream);
 	if (err)
-		goto err_free_cache;
+		goto err_free;
 	draw->device = accel_device_ref(device);
 	accel_bin_init(&draw->bin, (int)device->info.tile_size);
 	*out = draw;
 	return 0;
 
-err_free_cache:
-	free(draw->cache);
 err_free:
 	free(draw);
 	return err;
@@ -74,9 +64,7 @@ void accel_draw_free(struct accel_draw *draw)
 	accel_bin_free(&draw->bin);
 	accel_stream_free(draw->stream);
 	accel_device_unref(draw->device);
-	free(draw->vertex);
-	free(draw->screen);
-	free(draw->cache);
+	accel_group_free(&draw->group);
 	free(draw);
 }
 
@@ -206,28 +194,6 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 	return 0;
 }
 
-static int draw_reserve_vertices(struct accel_draw *draw, uint32_t count)
-{
-	struct accel_vertex *vertex;
-	struct accel_screen *screen;
-	size_t size;
-
-	if (count <= draw->vertices)
-		return 0;
-	if (__builtin_mul_overflow(count, sizeof(*vertex), &size))
-		return -ENOMEM;
-	vertex = realloc(draw->vertex, size);
-	if (!vertex)
-		return -ENOMEM;
-	draw->vertex = vertex;
-	screen = realloc(draw->screen, count * sizeof(*screen));
-	if (!screen)
-		return -ENOMEM;
-	draw->screen = screen;
-	draw->vertices = count;
-	return 0;
-}
-
 static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *state,
 			 const struct accel_mesh *mesh)
 {
@@ -238,19 +204,16 @@ static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *stat
 		.lit = state->lighting,
 		.painted = state->lighting && state->colour_material && mesh->colour.data,
 		.interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD,
+		.group = &draw->group,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
 	int err = accel_mesh_begin(&pass);
 
 	if (!err)
-		err = draw_reserve_vertices(draw, mesh->vertices);
+		err = accel_group_reserve(&draw->group, mesh->vertices, accel_mesh_triangles(mesh));
 	if (err)
 		return err;
-	pass.vertex = draw->vertex;
-	pass.screen = draw->screen;
-	pass.cache = draw->cache;
-	pass.number = ++draw->passes;
 	accel_geometry_init(&pass.transform, state, draw->target.width, draw->target.height);
 	accel_lighting_init(&pass.lighting, state, pass.painted);
 	err = accel_mesh_transform(&pass);

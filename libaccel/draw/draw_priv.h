@@ -13,6 +13,8 @@
  *   shading.c    what an edge needs: a straight line, a second-order curve, a split
  *   interpolate.c  the same for colours that only vertices have
  *   split.c      what a triangle needs; splitting it at edge midpoints
+ *   group.c      triangles that are worked together, and what they share (group.h)
+ *   face.c       the stages from a group's vertices to the bin
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
  *   small.c      the same of small triangles, to short numbers
@@ -53,9 +55,17 @@
 /* Samples end here, so that no second-order surface through them leaves s10.22. */
 #define ACCEL_COLOUR_MAX 1.99f
 
+struct accel_point {
+	int32_t x, y; /* window, y down, ACCEL_WINDOW_BITS fraction bits */
+};
+
 struct accel_bounds {
 	int x0, y0, x1, y1; /* pixels; x1 and y1 are outside */
 };
+
+struct accel_group;        /* group.h */
+struct accel_vertex_batch; /* kernel.h */
+struct accel_triangle;
 
 /* ---- vertices ---- */
 
@@ -113,6 +123,7 @@ struct accel_edge {
 struct accel_patch {
 	const struct accel_vertex *vertex[3];
 	const struct accel_edge *edge[3];
+	int side;
 };
 
 /* ---- fetch.c ---- */
@@ -151,11 +162,10 @@ void accel_geometry_init(struct accel_transform *transform, const struct accel_s
 			 int width, int height);
 void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
 			       double clip[4]);
-/* All of @vertex but its sample, unpainted. -EINVAL: something is not finite. */
+/* An unpainted vertex, without light. -EINVAL: something is not finite. */
 int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],
 			  const float *normal, struct accel_vertex *vertex);
-/* The same, of vertex @i in a batch that has been transformed (kernel.h). */
-struct accel_vertex_batch;
+/* The same, of vertex @i in a batch that has been transformed. */
 void accel_geometry_vertex_of(const struct accel_vertex_batch *batch, int i,
 			      struct accel_vertex *vertex);
 /* Sets x, y, w, z; @clip has positive w. What is outside the guard band is moved to its border. */
@@ -228,24 +238,11 @@ void accel_lighting_sample(const struct accel_lighting *lighting, int side, cons
 void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
 			 const struct accel_lamp *lamp, const float eye[3], const float normal[3],
 			 const float paint[4], float colour[3]);
-/* @x to the power of @n, 0 <= x <= 1, 0 <= n; 0 below 2^-126. */
-float accel_lighting_power(float x, float n);
+/* accel_lighting_sample for @count vertices, at most ACCEL_BATCH. */
+void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
+			     struct accel_vertex *const *vertex, int count);
 
 /* ---- one call of accel_draw_mesh ---- */
-
-#define ACCEL_EDGE_CACHE 2048
-
-struct accel_edge_entry {
-	uint64_t key;  /* the vertices' indices */
-	uint64_t pass; /* accel_pass.number and the side it belongs to */
-	struct accel_edge edge;
-};
-
-/* What is known of a vertex when triangles are culled; as in accel_vertex. */
-struct accel_screen {
-	int32_t x, y;
-	uint32_t outside;
-};
 
 struct accel_pass {
 	struct accel_device *device; /* for messages */
@@ -256,13 +253,22 @@ struct accel_pass {
 	bool interpolated; /* points between vertices are not lit */
 	struct accel_transform transform;
 	struct accel_lighting lighting;
-	struct accel_vertex *vertex;    /* of the mesh */
-	struct accel_screen *screen;    /* of the same */
-	struct accel_edge_entry *cache; /* ACCEL_EDGE_CACHE of them */
-	uint64_t number;
+	struct accel_group *group; /* memory for it (group.h) */
 	struct accel_bin *bin;
 	struct accel_draw_stats *stats;
 };
+
+/* Are vertices of the mesh the same for all triangles, or does each have its own normal there? */
+static inline bool accel_pass_shares(const struct accel_pass *pass)
+{
+	return !pass->lit || pass->normal.data;
+}
+
+/* The last side that triangles may have: 1 if backs are lit as such. */
+static inline int accel_pass_sides(const struct accel_pass *pass)
+{
+	return pass->lit && pass->state->two_sided ? 1 : 0;
+}
 
 /* ---- mesh.c ---- */
 
@@ -271,9 +277,21 @@ struct accel_pass {
  * -EINVAL: no position array, an index out of range, or what is not drawn.
  */
 int accel_mesh_begin(struct accel_pass *pass);
-/* Fills pass->vertex and pass->screen. -EINVAL: something is not finite. */
+/* How many triangles it has, at most. */
+uint32_t accel_mesh_triangles(const struct accel_mesh *mesh);
+/* Fills pass->group->screen. -EINVAL: something is not finite. */
 int accel_mesh_transform(struct accel_pass *pass);
 int accel_mesh_draw(struct accel_pass *pass);
+/* Vertices @index of the mesh, transformed. */
+void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
+		      struct accel_vertex_batch *batch);
+
+/* ---- face.c ---- */
+
+/* Gives all three the normal of their triangle. */
+void accel_face_flatten(struct accel_vertex *const vertex[3]);
+/* Rounds the triangle if it is small, counts it, and puts it into the bin. */
+int accel_face_bin(struct accel_pass *pass, struct accel_triangle *triangle);
 
 /* ---- patch.c ---- */
 
@@ -289,22 +307,25 @@ void accel_patch_surface_centre(const struct accel_patch *patch, float colour[3]
 
 /* ---- shading.c ---- */
 
-/* Makes sure that the vertex has its sample of @side. */
+/* Samples vertices, at most ACCEL_BATCH, for @side; a single one only if it is not so far. */
+void accel_shading_vertices(const struct accel_pass *pass, struct accel_vertex *const *vertex,
+			    int count, int side);
 void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *vertex, int side);
 /* What the edge between two sampled vertices needs; a split only if it is divisible. */
 void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *b, int side, struct accel_edge *edge);
-/* The same for vertices of the mesh, worked out once for both triangles. */
-void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t b, int side,
-			     struct accel_edge *edge);
-/* Must the triangle be split although none of its edges is? */
-bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side);
+/* The same for the edges of a group from @first on. */
+void accel_shading_edges(const struct accel_pass *pass, const struct accel_group *group,
+			 uint32_t first);
+/* Must triangles be split although none of their edges is? @count is at most ACCEL_BATCH. */
+void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,
+			  int count, int side, bool *inside);
 
 /* ---- interpolate.c ---- */
 
 /* Are all edges straight lines, whatever the colours? */
 bool accel_interpolate_straight(const struct accel_vertex *const vertex[3]);
-/* As accel_shading_edge and accel_shading_inside, where pass->interpolated. */
+/* As accel_shading_edge and accel_shading_inside, of one, where pass->interpolated. */
 void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_vertex *b,
 			    struct accel_edge *edge);
 bool accel_interpolate_inside(const struct accel_patch *patch);
@@ -336,8 +357,16 @@ struct accel_row {
 
 /* Are the edge's numbers small enough for the core? */
 bool accel_setup_edge_fits(const struct accel_vertex *a, const struct accel_vertex *b);
+/* accel_surface_area, of points. */
+static inline int64_t accel_setup_area(const struct accel_point *a, const struct accel_point *b,
+				       const struct accel_point *c)
+{
+	return (int64_t)(b->x - a->x) * (c->y - a->y) - (int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
 /* The edges of a triangle that has an area; false: it crosses no row. */
 bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *const vertex[3]);
+bool accel_setup_points(struct accel_setup *setup, const struct accel_point point[3]);
 /* The left or right edge in a row. */
 const struct accel_line *accel_setup_line(const struct accel_setup *setup, int row, bool right);
 /* Where an edge is in a row. */
@@ -386,7 +415,7 @@ struct accel_triangle {
 	uint8_t constant[4]; /* instead of surfaces */
 };
 
-/* Signed area of a triangle on screen, positive if it runs clockwise (y down). */
+/* Twice the signed area of a triangle on screen, positive if it runs clockwise (y down). */
 int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vertex *b,
 			   const struct accel_vertex *c);
 void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *const vertex[3]);
@@ -414,15 +443,6 @@ void accel_small_plane(struct accel_depth_plane *plane);
  * quarter of a level; else clears small.fits and changes nothing.
  */
 void accel_small_round(struct accel_triangle *triangle);
-
-/* ---- split.c ---- */
-
-/*
- * Draws a triangle as the state's shading says. @index are its vertices in the mesh, NULL if they
- * are not of it; @flat is the vertex that gives a flat triangle its colour.
- */
-int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[3],
-		     const uint32_t *index, struct accel_vertex *flat, int side);
 
 /* ---- record.c ---- */
 

@@ -85,17 +85,17 @@ static float fetch_number(const struct accel_fetch *fetch, const uint8_t *from)
 	return number;
 }
 
-void accel_fetch_batch(const struct accel_fetch *fetch, uint32_t first, int count, int components,
-		       float (*out)[ACCEL_BATCH])
+void accel_fetch_batch(const struct accel_fetch *fetch, const uint32_t *number, int count,
+		       int components, float (*out)[ACCEL_BATCH])
 {
 	const size_t step = fetch->step, size = fetch->bytes ? 1 : sizeof(float);
 
 	for (int i = 0; i < components; i++) {
 		bool there = i < fetch->components;
-		const uint8_t *from = fetch->data + first * step + (there ? (size_t)i * size : 0);
+		const uint8_t *from = fetch->data + (there ? (size_t)i * size : 0);
 
 		for (int j = 0; j < count && there; j++)
-			out[i][j] = fetch_number(fetch, from + (size_t)j * step);
+			out[i][j] = fetch_number(fetch, from + number[j] * step);
 		for (int j = 0; j < count && !there; j++)
 			out[i][j] = i < 3 ? 0 : 1;
 	}

@@ -151,8 +151,10 @@ void accel_geometry_vertex_of(const struct accel_vertex_batch *batch, int i,
 		vertex->eye[j] = batch->eye[j][i];
 		vertex->normal[j] = batch->normal[j][i];
 	}
+	/* Without lighting the paint is all there is to see. */
+	vertex->sample = (struct accel_sample){ 0 };
 	for (int j = 0; j < 4; j++)
-		vertex->paint[j] = batch->paint[j][i];
+		vertex->paint[j] = vertex->sample.colour[j] = batch->paint[j][i];
 }
 
 int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],

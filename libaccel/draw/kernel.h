@@ -16,8 +16,8 @@
 /* ---- fetch.c ---- */
 
 /* As accel_fetch_element, @components of @count elements, each component in an array. */
-void accel_fetch_batch(const struct accel_fetch *fetch, uint32_t first, int count, int components,
-		       float (*out)[ACCEL_BATCH]);
+void accel_fetch_batch(const struct accel_fetch *fetch, const uint32_t *number, int count,
+		       int components, float (*out)[ACCEL_BATCH]);
 
 /* ---- geometry_loop.h ---- */
 
@@ -32,6 +32,16 @@ struct accel_vertex_batch {
 	uint32_t finite[ACCEL_BATCH]; /* 0: something is too large for a float, or no number */
 };
 
+/* ---- lighting_loop.h ---- */
+
+struct accel_light_batch {
+	float eye[3][ACCEL_BATCH], normal[3][ACCEL_BATCH], paint[4][ACCEL_BATCH]; /* of points */
+	/* Their light, as in accel_sample. */
+	float colour[4][ACCEL_BATCH], shine[ACCEL_BATCH], near[ACCEL_BATCH], near_lamp[ACCEL_BATCH];
+	uint32_t facing[ACCEL_BATCH], in_cone[ACCEL_BATCH];
+	float unit[3][ACCEL_BATCH], viewer[3][ACCEL_BATCH]; /* of the loops: directions */
+};
+
 /* ---- the loops, as one set of instructions has them ---- */
 
 struct accel_kernel {
@@ -43,6 +53,11 @@ struct accel_kernel {
 	 */
 	void (*transform)(const struct accel_transform *transform, struct accel_vertex_batch *batch,
 			  int count, bool normals);
+	/* The light of @count points, and what one lamp alone adds to their colours. */
+	void (*light)(const struct accel_lighting *lighting, int side,
+		      struct accel_light_batch *batch, int count);
+	void (*light_lamp)(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
+			   int side, struct accel_light_batch *batch, int count);
 };
 
 /* From the plainest on; NULL ends them. */

@@ -6,9 +6,12 @@
  * values taken.
  */
 #include "draw/geometry_loop.h"
+#include "draw/lighting_loop.h"
 
 const struct accel_kernel KERNEL = {
 	.name = KERNEL_NAME,
 	.runs = kernel_runs,
 	.transform = loop_transform,
+	.light = loop_light,
+	.light_lamp = loop_light_lamp,
 };

@@ -3,11 +3,9 @@
  * OpenGL's fixed-function lighting (specification 1.5, section 2.14.1) at a point of a surface, in
  * eye space. The highlight is Blinn's: by the half vector between viewer and light.
  */
-#include <float.h>
 #include <math.h>
-#include <string.h>
 
-#include "draw/draw_priv.h"
+#include "draw/kernel.h"
 
 /* Fractions of full scale: less of a highlight is not worth a split, or even its power function. */
 #define HIGHLIGHT_VISIBLE (2 / 255.0f)
@@ -33,55 +31,6 @@ static void lighting_product(float out[3], const float a[4], const float b[4])
 static float lighting_brightest(const float rgb[3])
 {
 	return fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
-}
-
-/* log2 of a normal number: exponent, and the series of atanh on the rest, sqrt(1/2) to sqrt(2). */
-static float lighting_log2_of(float x)
-{
-	uint32_t bits;
-	int exponent;
-	float t, t2;
-
-	memcpy(&bits, &x, sizeof(bits));
-	exponent = (int32_t)(bits - 0x3f3504f3) >> 23;
-	bits -= (uint32_t)exponent << 23;
-	memcpy(&x, &bits, sizeof(x));
-	t = (x - 1) / (x + 1);
-	t2 = t * t;
-	return (float)exponent +
-	       t * (2.885390082f + t2 * (0.961796694f + t2 * (0.577078016f + t2 * 0.412198583f)));
-}
-
-/* 2^y for -126 <= y <= 0: the exponent, and Taylor's series on the rest, -1/2 to 1/2. */
-static float lighting_exp2_of(float y)
-{
-	int whole = (int)(y - 0.5f);
-	float f = y - (float)whole;
-	uint32_t bits = (uint32_t)(whole + 127) << 23;
-	float scale;
-
-	memcpy(&scale, &bits, sizeof(scale));
-	return scale *
-	       (1 +
-		f * (0.693147181f +
-		     f * (0.240226507f +
-			  f * (0.0555041087f + f * (0.00961812911f +
-						    f * (0.00133335581f + f * 0.000154035304f))))));
-}
-
-/* The C library's powf is exact to the last bit, slower, and not the same in all of them. */
-float accel_lighting_power(float x, float n)
-{
-	float y;
-
-	if (n == 0)
-		return 1;
-	if (!(x >= 0x1p-126f))
-		return 0;
-	y = n * lighting_log2_of(x);
-	if (!(y > -126))
-		return 0;
-	return y < 0 ? lighting_exp2_of(y) : 1;
 }
 
 static const float white[4] = { 1, 1, 1, 1 };
@@ -182,137 +131,58 @@ void accel_lighting_init(struct accel_lighting *lighting, const struct accel_sta
 	lighting_finish_init(lighting, state, 1, painted);
 }
 
-/* A point of a surface and the directions there, all of unit length. */
-struct point {
-	const float *eye, *paint;
-	float normal[3], viewer[3];
-};
-
-/* The direction towards a lamp that is a point; returns how much of its light arrives. */
-static float lighting_reach(const struct accel_lamp *lamp, const float eye[3], float to[3],
-			    struct accel_sample *sample)
+static void lighting_put(struct accel_light_batch *batch, int i, const float eye[3],
+			 const float normal[3], const float paint[4])
 {
-	float distance, near, cosine, factor;
-
-	for (int i = 0; i < 3; i++)
-		to[i] = lamp->position[i] - eye[i];
-	distance = lighting_normalise(to);
-	near = 1 / (distance * distance);
-	if (near > sample->near_lamp)
-		sample->near_lamp = near;
-	/* In the lamp itself there may be no attenuation; what is dark stays so there too. */
-	factor = fminf(1 / (lamp->attenuation[0] +
-			    distance * (lamp->attenuation[1] + distance * lamp->attenuation[2])),
-		       FLT_MAX);
-	if (!lamp->spot)
-		return factor;
-	cosine = -number_dot(to, lamp->cone_axis);
-	if (cosine < lamp->cone_cosine)
-		return 0;
-	sample->in_cone |= lamp->bit;
-	return factor * accel_lighting_power(cosine, lamp->cone_exponent);
-}
-
-static float lighting_half_cosine(const struct accel_lighting *lighting,
-				  const struct accel_lamp *lamp, const struct point *point,
-				  const float to[3])
-{
-	float half[3];
-
-	if (!lamp->point && !lighting->local_viewer)
-		return number_dot(point->normal, lamp->half);
-	for (int i = 0; i < 3; i++)
-		half[i] = to[i] + point->viewer[i];
-	lighting_normalise(half);
-	return number_dot(point->normal, half);
-}
-
-static void lighting_add_lamp(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
-			      int side, const struct point *point, struct accel_sample *sample)
-{
-	const struct accel_finish *finish = &lighting->finish[side];
-	float away[3], cosine, shine, highlight = 0, factor = 1;
-	const float *to = lamp->position;
-
-	if (lamp->point) {
-		factor = lighting_reach(lamp, point->eye, away, sample);
-		to = away;
-		for (int i = 0; i < 3; i++)
-			sample->colour[i] += factor * lamp->ambient[side][i] * point->paint[i];
+	for (int j = 0; j < 3; j++) {
+		batch->eye[j][i] = eye[j];
+		batch->normal[j][i] = normal[j];
 	}
-	cosine = number_dot(point->normal, to);
-	if (lamp->shines) {
-		shine = lighting_half_cosine(lighting, lamp, point, to);
-		if (shine > sample->shine)
-			sample->shine = shine;
-		if (cosine > 0 && (shine > finish->faint_cosine || finish->shininess == 0))
-			highlight = factor * accel_lighting_power(shine, finish->shininess);
-	}
-	if (!(cosine > 0))
-		return;
-	sample->facing |= lamp->bit;
-	cosine *= factor;
-	for (int i = 0; i < 3; i++)
-		sample->colour[i] += cosine * lamp->diffuse[side][i] * point->paint[i] +
-				     highlight * lamp->specular[side][i];
+	for (int j = 0; j < 4; j++)
+		batch->paint[j][i] = paint[j];
 }
 
-/* Returns 1/distance^2 of the viewer, 0 if it is far away. */
-static float lighting_point_init(const struct accel_lighting *lighting, int side,
-				 const float eye[3], const float normal[3], const float paint[4],
-				 struct point *point)
+static void lighting_take(const struct accel_light_batch *batch, int i, struct accel_sample *sample)
 {
-	float sign = side ? -1 : 1, distance;
-
-	*point = (struct point){ .eye = eye, .paint = paint, .viewer = { 0, 0, 1 } };
-	for (int i = 0; i < 3; i++)
-		point->normal[i] = sign * normal[i];
-	lighting_normalise(point->normal);
-	if (!lighting->local_viewer)
-		return 0;
-	for (int i = 0; i < 3; i++)
-		point->viewer[i] = -eye[i];
-	distance = lighting_normalise(point->viewer);
-	return 1 / (distance * distance);
+	for (int j = 0; j < 4; j++)
+		sample->colour[j] = batch->colour[j][i];
+	sample->shine = batch->shine[i];
+	sample->near = batch->near[i];
+	sample->near_lamp = batch->near_lamp[i];
+	sample->facing = (uint8_t)batch->facing[i];
+	sample->in_cone = (uint8_t)batch->in_cone[i];
 }
 
-static void lighting_clamp_colour(float colour[3])
+void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
+			     struct accel_vertex *const *vertex, int count)
 {
-	for (int i = 0; i < 3; i++) {
-		/* Also turns what is not a number into 0. */
-		float value = colour[i] > 0 ? colour[i] : 0;
+	struct accel_light_batch batch;
 
-		colour[i] = value < ACCEL_COLOUR_MAX ? value : ACCEL_COLOUR_MAX;
-	}
+	for (int i = 0; i < count; i++)
+		lighting_put(&batch, i, vertex[i]->eye, vertex[i]->normal, vertex[i]->paint);
+	accel_kernel()->light(lighting, side, &batch, count);
+	for (int i = 0; i < count; i++)
+		lighting_take(&batch, i, &vertex[i]->sample);
 }
 
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
 			   const float normal[3], const float paint[4], struct accel_sample *sample)
 {
-	const struct accel_finish *finish = &lighting->finish[side];
-	struct point point;
+	struct accel_light_batch batch;
 
-	*sample = (struct accel_sample){ .shine = -1 };
-	sample->near = lighting_point_init(lighting, side, eye, normal, paint, &point);
-	for (int i = 0; i < 3; i++)
-		sample->colour[i] = finish->base[i] * paint[i] + finish->emission[i];
-	for (int i = 0; i < lighting->lamps; i++)
-		lighting_add_lamp(lighting, &lighting->lamp[i], side, &point, sample);
-	sample->near = sample->near_lamp > sample->near ? sample->near_lamp : sample->near;
-	lighting_clamp_colour(sample->colour);
-	sample->colour[3] = finish->alpha * paint[3];
+	lighting_put(&batch, 0, eye, normal, paint);
+	accel_kernel()->light(lighting, side, &batch, 1);
+	lighting_take(&batch, 0, sample);
 }
 
 void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
 			 const struct accel_lamp *lamp, const float eye[3], const float normal[3],
 			 const float paint[4], float colour[3])
 {
-	struct accel_sample sample = { .shine = -1 };
-	struct point point;
+	struct accel_light_batch batch;
 
-	lighting_point_init(lighting, side, eye, normal, paint, &point);
-	lighting_add_lamp(lighting, lamp, side, &point, &sample);
-	lighting_clamp_colour(sample.colour);
+	lighting_put(&batch, 0, eye, normal, paint);
+	accel_kernel()->light_lamp(lighting, lamp, side, &batch, 1);
 	for (int i = 0; i < 3; i++)
-		colour[i] = sample.colour[i];
+		colour[i] = batch.colour[i][0];
 }

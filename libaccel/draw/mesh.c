@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /* A mesh's triangles, one after the other: their vertices, whether they are seen, which side. */
 #include <errno.h>
-#include <math.h>
 #include <string.h>
 
+#include "draw/group.h"
 #include "draw/kernel.h"
 
 static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
@@ -50,71 +50,55 @@ int accel_mesh_begin(struct accel_pass *pass)
 	return err;
 }
 
-/* Vertices from @first on, transformed. -EINVAL: *@bad of them is not finite. */
-static int mesh_transform_batch(const struct accel_pass *pass, uint32_t first, int count,
-				struct accel_vertex_batch *batch, int *bad)
+void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
+		      struct accel_vertex_batch *batch)
 {
 	bool normal = pass->lit && pass->normal.data;
 	bool colour = (!pass->lit || pass->painted) && pass->colour.data;
 
-	accel_fetch_batch(&pass->position, first, count, 3, batch->position);
+	accel_fetch_batch(&pass->position, index, count, 3, batch->position);
 	if (normal)
-		accel_fetch_batch(&pass->normal, first, count, 3, batch->across);
+		accel_fetch_batch(&pass->normal, index, count, 3, batch->across);
 	if (colour)
-		accel_fetch_batch(&pass->colour, first, count, 4, batch->paint);
+		accel_fetch_batch(&pass->colour, index, count, 4, batch->paint);
 	for (int i = 0; i < 4 && !colour; i++)
 		for (int j = 0; j < count; j++)
 			batch->paint[i][j] = 1;
 	accel_kernel()->transform(&pass->transform, batch, count, normal);
-	for (*bad = 0; *bad < count; ++*bad)
-		if (!batch->finite[*bad])
+}
+
+/* Keeps what culling needs of vertices from @first on. */
+static int mesh_keep(const struct accel_pass *pass, uint32_t first, int count,
+		     const struct accel_vertex_batch *batch)
+{
+	for (int i = 0; i < count; i++) {
+		if (!batch->finite[i]) {
+			accel_device_message(pass->device, "vertex %u of the mesh is not finite",
+					     first + (uint32_t)i);
 			return -EINVAL;
+		}
+		pass->group->screen[first + (uint32_t)i] = (struct accel_screen){
+			{ batch->x[i], batch->y[i] }, batch->outside[i], ACCEL_NONE
+		};
+	}
 	return 0;
 }
 
 int accel_mesh_transform(struct accel_pass *pass)
 {
-	struct accel_vertex_batch batch = { 0 };
 	const uint32_t vertices = pass->mesh->vertices;
-	int count, bad, err;
+	struct accel_vertex_batch batch;
+	uint32_t index[ACCEL_BATCH];
+	int count, err = 0;
 
-	for (uint32_t first = 0; first < vertices; first += (uint32_t)count) {
+	for (uint32_t first = 0; first < vertices && !err; first += (uint32_t)count) {
 		count = vertices - first < ACCEL_BATCH ? (int)(vertices - first) : ACCEL_BATCH;
-		err = mesh_transform_batch(pass, first, count, &batch, &bad);
-		if (err) {
-			accel_device_message(pass->device, "vertex %u of the mesh is not finite",
-					     first + (uint32_t)bad);
-			return err;
-		}
-		for (int i = 0; i < count; i++) {
-			struct accel_vertex *vertex = &pass->vertex[first + (uint32_t)i];
-
-			accel_geometry_vertex_of(&batch, i, vertex);
-			/* Without lighting it is all there is to see. */
-			vertex->sample = (struct accel_sample){ 0 };
-			memcpy(vertex->sample.colour, vertex->paint, sizeof(vertex->paint));
-			pass->screen[first + (uint32_t)i] = (struct accel_screen){
-				vertex->x, vertex->y, vertex->outside
-			};
-		}
+		for (int i = 0; i < count; i++)
+			index[i] = first + (uint32_t)i;
+		accel_mesh_fetch(pass, index, count, &batch);
+		err = mesh_keep(pass, first, count, &batch);
 	}
-	return 0;
-}
-
-/* The direction in which the front of a triangle looks, by its vertices in eye space. */
-static void mesh_face_normal(const float a[3], const float b[3], const float c[3], float out[3])
-{
-	double n[3], length;
-
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, k = (i + 2) % 3;
-
-		n[i] = ((double)b[j] - (double)a[j]) * ((double)c[k] - (double)a[k]) -
-		       ((double)b[k] - (double)a[k]) * ((double)c[j] - (double)a[j]);
-	}
-	length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-	for (int i = 0; i < 3; i++)
-		out[i] = length > 0 ? (float)(n[i] / length) : 0;
+	return err;
 }
 
 /* The side that is seen; -1: neither, or it is culled. */
@@ -128,10 +112,19 @@ static int mesh_visible_side(const struct accel_state *state, int64_t area)
 	return back && state->two_sided && state->lighting ? 1 : 0;
 }
 
-static int mesh_cull(struct accel_pass *pass)
+/* Puts a triangle into the group, unless it covers no pixel; then returns NULL. */
+static struct accel_face *mesh_put(struct accel_pass *pass, const struct accel_point point[3],
+				   int side)
 {
-	pass->stats->culled++;
-	return 0;
+	struct accel_face *face = accel_group_face(pass->group);
+
+	if (accel_setup_points(&face->setup, point) &&
+	    accel_setup_draws(&face->setup, &pass->transform.window.visible)) {
+		face->side = side;
+		return face;
+	}
+	pass->group->faces--;
+	return NULL;
 }
 
 /* The signed area of a polygon on screen. */
@@ -145,36 +138,58 @@ static int64_t mesh_polygon_area(const struct accel_corner *polygon, int corners
 	return area;
 }
 
-static int mesh_draw_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
-			 struct accel_vertex *flat, int64_t area, int side)
+/* A triangle of the fan that is left of a clipped one; false: it covers no pixel. */
+static bool mesh_put_corner(struct accel_pass *pass, const struct accel_vertex *const corner[3],
+			    const uint32_t vertex[3], uint32_t flat, int side)
 {
-	int apex = accel_clip_apex(polygon, corners), err = 0;
-	uint64_t culled = pass->stats->culled, parts = 0;
+	struct accel_point point[3];
+	struct accel_face *face;
 
-	for (int i = 1; i + 1 < corners && !err; i++) {
-		struct accel_vertex *const fan[3] = {
-			&polygon[apex].vertex,
-			&polygon[(apex + i) % corners].vertex,
-			&polygon[(apex + i + 1) % corners].vertex,
-		};
-		int64_t part = accel_surface_area(fan[0], fan[1], fan[2]);
-
-		if (!part || (part > 0) != (area > 0))
-			continue;
-		parts++;
-		err = accel_split_draw(pass, fan, NULL, flat, side);
-	}
-	/* They count as the one triangle that they are. */
-	if (pass->stats->culled - culled == parts) {
-		pass->stats->culled = culled + 1;
-	} else {
-		pass->stats->culled = culled;
-		pass->stats->clipped++;
-	}
-	return err;
+	for (int i = 0; i < 3; i++)
+		point[i] = (struct accel_point){ corner[i]->x, corner[i]->y };
+	face = mesh_put(pass, point, side);
+	if (!face)
+		return false;
+	memcpy(face->vertex, vertex, sizeof(face->vertex));
+	face->flat = flat;
+	face->clipped = true;
+	return true;
 }
 
-static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
+/* Its parts count as the one triangle that they are. */
+static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
+			 struct accel_vertex *flat, int64_t area, int side)
+{
+	int apex = accel_clip_apex(polygon, corners);
+	uint32_t number[ACCEL_POLYGON_MAX], of_flat;
+	bool drawn = false;
+
+	for (int i = 0; i < corners; i++) {
+		accel_shading_vertex(pass, &polygon[i].vertex, side);
+		number[i] = accel_group_vertex(pass->group, side);
+		pass->group->vertex[number[i]] = polygon[i].vertex;
+	}
+	accel_shading_vertex(pass, flat, side);
+	of_flat = accel_group_vertex(pass->group, side);
+	pass->group->vertex[of_flat] = *flat;
+	for (int i = 1; i + 1 < corners; i++) {
+		const int at[3] = { apex, (apex + i) % corners, (apex + i + 1) % corners };
+		const struct accel_vertex *const fan[3] = { &polygon[at[0]].vertex,
+							    &polygon[at[1]].vertex,
+							    &polygon[at[2]].vertex };
+		const uint32_t vertex[3] = { number[at[0]], number[at[1]], number[at[2]] };
+		int64_t part = accel_surface_area(fan[0], fan[1], fan[2]);
+
+		if (part && (part > 0) == (area > 0))
+			drawn |= mesh_put_corner(pass, fan, vertex, of_flat, side);
+	}
+	if (drawn)
+		pass->stats->clipped++;
+	else
+		pass->stats->culled++;
+}
+
+static int mesh_clip(const struct accel_pass *pass, const struct accel_vertex vertex[3],
 		     const uint32_t index[3], uint32_t planes,
 		     struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
@@ -183,90 +198,88 @@ static int mesh_clip(const struct accel_pass *pass, struct accel_vertex *const v
 
 		accel_fetch_element(&pass->position, index[i], position);
 		accel_clip_corner(&pass->transform, position, &polygon[i]);
-		polygon[i].vertex = *vertex[i];
+		polygon[i].vertex = vertex[i];
 		polygon[i].vertex.sampled = 0;
 	}
 	return accel_clip_polygon(&pass->transform.window, planes, polygon);
 }
 
 /* The same, with the light at the triangle's own vertices to interpolate between. */
-static void mesh_clip_lit(const struct accel_pass *pass, struct accel_vertex *const vertex[3],
+static void mesh_clip_lit(const struct accel_pass *pass, struct accel_vertex vertex[3],
 			  const uint32_t index[3], uint32_t planes, int side,
 			  struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	int corners;
 
 	for (int i = 0; i < 3; i++)
-		accel_shading_vertex(pass, vertex[i], side);
+		accel_shading_vertex(pass, &vertex[i], side);
 	corners = mesh_clip(pass, vertex, index, planes, polygon);
 	for (int i = 0; i < corners; i++)
 		polygon[i].vertex.sampled = 1u + (unsigned int)side;
 }
 
-static int mesh_draw_clipped(struct accel_pass *pass, struct accel_vertex *const vertex[3],
-			     const uint32_t index[3], uint32_t planes)
+/* The vertices of a triangle, complete but for their light. */
+static void mesh_vertices(const struct accel_pass *pass, const uint32_t index[3],
+			  struct accel_vertex vertex[3])
+{
+	struct accel_vertex *const corner[3] = { &vertex[0], &vertex[1], &vertex[2] };
+	struct accel_vertex_batch batch;
+
+	accel_mesh_fetch(pass, index, 3, &batch);
+	for (int i = 0; i < 3; i++)
+		accel_geometry_vertex_of(&batch, i, &vertex[i]);
+	if (!accel_pass_shares(pass))
+		accel_face_flatten(corner);
+}
+
+static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], uint32_t planes)
 {
 	struct accel_corner polygon[ACCEL_POLYGON_MAX];
-	struct accel_vertex flat = *vertex[2];
+	struct accel_vertex vertex[3], flat;
 	int64_t area;
 	int corners, side;
 
-	flat.sampled = 0;
+	mesh_vertices(pass, index, vertex);
+	flat = vertex[2];
 	corners = mesh_clip(pass, vertex, index, planes, polygon);
 	area = mesh_polygon_area(polygon, corners);
 	side = mesh_visible_side(pass->state, area);
-	if (side < 0)
-		return mesh_cull(pass);
+	if (side < 0) {
+		pass->stats->culled++;
+		return;
+	}
 	if (pass->lit && pass->interpolated)
 		mesh_clip_lit(pass, vertex, index, planes, side, polygon);
-	return mesh_draw_fan(pass, polygon, corners, &flat, area, side);
-}
-
-/* Copies of a triangle's vertices that have its own normal. */
-static void mesh_flatten(struct accel_vertex *vertex[3], struct accel_vertex own[3])
-{
-	for (int i = 0; i < 3; i++) {
-		own[i] = *vertex[i];
-		vertex[i] = &own[i];
-	}
-	mesh_face_normal(own[0].eye, own[1].eye, own[2].eye, own[0].normal);
-	memcpy(own[1].normal, own[0].normal, sizeof(own[0].normal));
-	memcpy(own[2].normal, own[0].normal, sizeof(own[0].normal));
-}
-
-/* What of a triangle is seen: the side, -1 if nothing; *@planes are those that cut it. */
-static int mesh_seen(const struct accel_pass *pass, const uint32_t index[3], uint32_t *planes)
-{
-	const struct accel_screen a = pass->screen[index[0]], b = pass->screen[index[1]];
-	const struct accel_screen c = pass->screen[index[2]];
-
-	if (a.outside & b.outside & c.outside)
-		return -1;
-	*planes = (a.outside | b.outside | c.outside) & ACCEL_OUTSIDE_CLIP;
-	if (*planes)
-		return 0;
-	return mesh_visible_side(pass->state, (int64_t)(b.x - a.x) * (c.y - a.y) -
-						      (int64_t)(c.x - a.x) * (b.y - a.y));
+	mesh_put_fan(pass, polygon, corners, &flat, area, side);
 }
 
 /* The last of @index is the vertex that gives a flat triangle its colour. */
-static int mesh_draw_triangle(struct accel_pass *pass, const uint32_t index[3])
+static void mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3])
 {
-	bool shared = !pass->lit || pass->normal.data;
-	struct accel_vertex *vertex[3], own[3];
-	uint32_t planes;
-	int side = mesh_seen(pass, index, &planes);
+	const struct accel_screen *const screen = pass->group->screen;
+	const struct accel_screen *a = &screen[index[0]], *b = &screen[index[1]];
+	const struct accel_screen *c = &screen[index[2]];
+	const uint32_t planes = (a->outside | b->outside | c->outside) & ACCEL_OUTSIDE_CLIP;
+	struct accel_face *face = NULL;
+	int side;
 
 	pass->stats->triangles_in++;
-	if (side < 0)
-		return mesh_cull(pass);
-	for (int i = 0; i < 3; i++)
-		vertex[i] = &pass->vertex[index[i]];
-	if (!shared)
-		mesh_flatten(vertex, own);
-	if (planes)
-		return mesh_draw_clipped(pass, vertex, index, planes);
-	return accel_split_draw(pass, vertex, shared ? index : NULL, vertex[2], side);
+	if (!(a->outside & b->outside & c->outside)) {
+		if (planes) {
+			mesh_put_clipped(pass, index, planes);
+			return;
+		}
+		side = mesh_visible_side(pass->state, accel_setup_area(&a->at, &b->at, &c->at));
+		if (side >= 0)
+			face = mesh_put(pass, (const struct accel_point[3]){ a->at, b->at, c->at },
+					side);
+	}
+	if (!face) {
+		pass->stats->culled++;
+		return;
+	}
+	memcpy(face->vertex, index, sizeof(face->vertex));
+	face->clipped = false;
 }
 
 /* The vertices of the triangle that element @i of the mesh begins. */
@@ -285,17 +298,29 @@ static void mesh_triangle_index(const struct accel_mesh *mesh, uint32_t i, uint3
 		index[j] = mesh->index ? mesh->index[element[j]] : element[j];
 }
 
+static uint32_t mesh_step(const struct accel_mesh *mesh)
+{
+	return mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
+}
+
+uint32_t accel_mesh_triangles(const struct accel_mesh *mesh)
+{
+	return (mesh->index ? mesh->indices : mesh->vertices) / mesh_step(mesh);
+}
+
 int accel_mesh_draw(struct accel_pass *pass)
 {
 	const struct accel_mesh *mesh = pass->mesh;
 	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
-	uint32_t step = mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
+	uint32_t step = mesh_step(mesh);
 	uint32_t index[3];
 	int err = 0;
 
 	for (uint32_t i = 0; elements - i >= 3 && !err; i += step) {
 		mesh_triangle_index(mesh, i, index);
-		err = mesh_draw_triangle(pass, index);
+		mesh_put_triangle(pass, index);
+		if (accel_group_full(pass->group))
+			err = accel_face_draw_all(pass);
 	}
-	return err;
+	return err ? err : accel_face_draw_all(pass);
 }

@@ -59,8 +59,8 @@ bool accel_setup_edge_fits(const struct accel_vertex *a, const struct accel_vert
 }
 
 /* @top is above @bottom. */
-static void setup_line_init(struct accel_line *line, const struct accel_vertex *top,
-			    const struct accel_vertex *bottom)
+static void setup_line_init(struct accel_line *line, const struct accel_point *top,
+			    const struct accel_point *bottom)
 {
 	int64_t place;
 
@@ -76,9 +76,9 @@ static void setup_line_init(struct accel_line *line, const struct accel_vertex *
 		line->step = setup_floor_divide(line->dx, line->dy, &line->m);
 }
 
-static void setup_order(const struct accel_vertex **a, const struct accel_vertex **b)
+static void setup_order(const struct accel_point **a, const struct accel_point **b)
 {
-	const struct accel_vertex *swap = *a;
+	const struct accel_point *swap = *a;
 
 	if ((*a)->y <= (*b)->y)
 		return;
@@ -95,20 +95,19 @@ static int32_t setup_extent(int32_t a, int32_t b, int32_t c)
 	return high - low;
 }
 
-static bool setup_is_narrow(const struct accel_setup *setup,
-			    const struct accel_vertex *const vertex[3])
+static bool setup_is_narrow(const struct accel_setup *setup, const struct accel_point point[3])
 {
-	return setup_extent(vertex[0]->x, vertex[1]->x, vertex[2]->x) <=
+	return setup_extent(point[0].x, point[1].x, point[2].x) <=
 		       NARROW_PIXELS * ACCEL_WINDOW_ONE &&
-	       setup_extent(vertex[0]->y, vertex[1]->y, vertex[2]->y) <=
+	       setup_extent(point[0].y, point[1].y, point[2].y) <=
 		       NARROW_PIXELS * ACCEL_WINDOW_ONE &&
 	       setup->left.dy <= NARROW_HEIGHT && setup->right.dy <= NARROW_HEIGHT &&
 	       setup->middle.dy <= NARROW_HEIGHT;
 }
 
-bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *const vertex[3])
+bool accel_setup_points(struct accel_setup *setup, const struct accel_point point[3])
 {
-	const struct accel_vertex *top = vertex[0], *turn = vertex[1], *bottom = vertex[2];
+	const struct accel_point *top = &point[0], *turn = &point[1], *bottom = &point[2];
 	struct accel_line *bent;
 
 	setup_order(&top, &turn);
@@ -119,7 +118,7 @@ bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *cons
 	setup->end = setup_row_of(bottom->y);
 	if (setup->first == setup->end)
 		return false;
-	setup->right_turns = accel_surface_area(top, turn, bottom) > 0;
+	setup->right_turns = accel_setup_area(top, turn, bottom) > 0;
 	bent = setup->right_turns ? &setup->right : &setup->left;
 	setup_line_init(setup->right_turns ? &setup->left : &setup->right, top, bottom);
 	setup->middle = (struct accel_line){ .dy = 1 };
@@ -130,8 +129,17 @@ bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *cons
 		if (setup->turn < setup->end)
 			setup_line_init(&setup->middle, turn, bottom);
 	}
-	setup->narrow = setup_is_narrow(setup, vertex);
+	setup->narrow = setup_is_narrow(setup, point);
 	return true;
+}
+
+bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *const vertex[3])
+{
+	struct accel_point point[3];
+
+	for (int i = 0; i < 3; i++)
+		point[i] = (struct accel_point){ vertex[i]->x, vertex[i]->y };
+	return accel_setup_points(setup, point);
 }
 
 int32_t accel_setup_at(const struct accel_line *line, int row, uint32_t *r)

@@ -6,7 +6,8 @@
  */
 #include <math.h>
 
-#include "draw/draw_priv.h"
+#include "draw/group.h"
+#include "draw/kernel.h"
 
 /* A step of a channel. */
 #define STEP (1 / 255.0f)
@@ -30,19 +31,27 @@
 #define SPLIT_LENGTH 6.0f
 #define CURVE_LENGTH 2.5f
 
-void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *vertex, int side)
+void accel_shading_vertices(const struct accel_pass *pass, struct accel_vertex *const *vertex,
+			    int count, int side)
 {
-	if (vertex->sampled == 1u + (unsigned int)side)
-		return;
-	vertex->sampled = 1u + (unsigned int)side;
+	for (int i = 0; i < count; i++)
+		vertex[i]->sampled = 1u + (unsigned int)side;
 	if (!pass->lit)
 		return;
-	accel_lighting_sample(&pass->lighting, side, vertex->eye, vertex->normal, vertex->paint,
-			      &vertex->sample);
+	accel_lighting_vertices(&pass->lighting, side, vertex, count);
+	if (!pass->interpolated)
+		return;
 	/* OpenGL clamps before it interpolates. */
-	for (int i = 0; i < 3 && pass->interpolated; i++)
-		if (vertex->sample.colour[i] > 1)
-			vertex->sample.colour[i] = 1;
+	for (int i = 0; i < count; i++)
+		for (int j = 0; j < 3; j++)
+			if (vertex[i]->sample.colour[j] > 1)
+				vertex[i]->sample.colour[j] = 1;
+}
+
+void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *vertex, int side)
+{
+	if (vertex->sampled != 1u + (unsigned int)side)
+		accel_shading_vertices(pass, &vertex, 1, side);
 }
 
 /* The square of the angle between the normals (of its chord, exactly). */
@@ -257,89 +266,166 @@ static void shading_bound_spots(const struct accel_pass *pass, const struct acce
 	}
 }
 
-/* The second-order curve through the light at the middle. */
-static void shading_sampled_edge(const struct accel_pass *pass, const struct accel_vertex *a,
-				 const struct accel_vertex *b, int side, const struct span *span,
-				 struct accel_edge *edge)
+/* Sets the edge as far as its ends tell; false: its middle has to be lit. */
+static bool shading_edge_begin(const struct accel_pass *pass, const struct accel_vertex *a,
+			       const struct accel_vertex *b, int side, struct span *span,
+			       struct accel_edge *edge)
+{
+	const struct accel_finish *finish = &pass->lighting.finish[side];
+
+	shading_span_init(pass, a, b, span);
+	*edge = (struct accel_edge){ .spread = span->spread };
+	for (int i = 0; i < 3; i++)
+		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
+	if (pass->state->shading != ACCEL_SHADING_ADAPTIVE)
+		return false;
+	return span->length < CURVE_LENGTH * CURVE_LENGTH ||
+	       (span->even && shading_bend(pass, a, b, finish, span) < STRAIGHT);
+}
+
+/* The second-order curve through the light at the middle, which is lit. */
+static void shading_edge_end(const struct accel_pass *pass, const struct accel_vertex *a,
+			     const struct accel_vertex *b, int side, const struct span *span,
+			     struct accel_vertex *middle, struct accel_edge *edge)
 {
 	bool adaptive = pass->state->shading == ACCEL_SHADING_ADAPTIVE;
-	struct accel_vertex middle;
-	float off_line;
+	float off_line = shading_deviation(edge->colour, middle->sample.colour);
 
-	accel_patch_middle(a, b, &middle);
-	accel_shading_vertex(pass, &middle, side);
-	edge->middle = middle.sample;
+	edge->middle = middle->sample;
 	edge->sampled = true;
-	off_line = shading_deviation(edge->colour, middle.sample.colour);
 	edge->split = adaptive && accel_patch_divisible(a, b) &&
-		      shading_wants_split(pass, a, &middle, b, side, span, off_line);
+		      shading_wants_split(pass, a, middle, b, side, span, off_line);
 	edge->curved = !adaptive || off_line >= STRAIGHT;
 	if (!edge->curved)
 		return;
 	if (pass->lit)
-		shading_bound_spots(pass, a, &middle, b, side, middle.sample.colour);
-	shading_bend_to(edge->colour, middle.sample.colour);
+		shading_bound_spots(pass, a, middle, b, side, middle->sample.colour);
+	shading_bend_to(edge->colour, middle->sample.colour);
+}
+
+static bool shading_interpolates(const struct accel_pass *pass)
+{
+	return pass->interpolated && pass->state->shading != ACCEL_SHADING_QUADRATIC;
 }
 
 void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
 			const struct accel_vertex *b, int side, struct accel_edge *edge)
 {
-	const struct accel_finish *finish = &pass->lighting.finish[side];
+	struct accel_vertex middle;
 	struct span span;
 
-	if (pass->interpolated && pass->state->shading != ACCEL_SHADING_QUADRATIC) {
+	if (shading_interpolates(pass)) {
 		accel_interpolate_edge(a, b, edge);
 		return;
 	}
-	shading_span_init(pass, a, b, &span);
-	*edge = (struct accel_edge){ .spread = span.spread };
-	for (int i = 0; i < 3; i++)
-		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
-	if (pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
-	    (span.length >= CURVE_LENGTH * CURVE_LENGTH &&
-	     !(span.even && shading_bend(pass, a, b, finish, &span) < STRAIGHT)))
-		shading_sampled_edge(pass, a, b, side, &span, edge);
+	if (shading_edge_begin(pass, a, b, side, &span, edge))
+		return;
+	accel_patch_middle(a, b, &middle);
+	accel_shading_vertex(pass, &middle, side);
+	shading_edge_end(pass, a, b, side, &span, &middle, edge);
 }
 
-/* Vertices with neighbouring indices fall on different entries. */
-static uint32_t shading_cache_slot(uint32_t low, uint32_t high)
-{
-	return (low * 0x9e3779b1u ^ high * 0x85ebca77u) >> 21;
-}
+/* Edges whose middles are lit together. */
+struct middles {
+	int count;
+	uint32_t edge[ACCEL_BATCH]; /* of the group */
+	struct span span[ACCEL_BATCH];
+	struct accel_vertex middle[ACCEL_BATCH];
+};
 
-void accel_shading_mesh_edge(const struct accel_pass *pass, uint32_t a, uint32_t b, int side,
-			     struct accel_edge *edge)
+static void shading_middles_flush(const struct accel_pass *pass, const struct accel_group *group,
+				  int side, struct middles *list)
 {
-	uint32_t low = a < b ? a : b, high = a < b ? b : a;
-	struct accel_edge_entry *entry = &pass->cache[shading_cache_slot(low, high)];
-	uint64_t key = (uint64_t)high << 32 | low, number = 2 * pass->number + (uint64_t)side;
+	struct accel_vertex *vertex[ACCEL_BATCH];
 
-	if (entry->key != key || entry->pass != number) {
-		entry->key = key;
-		entry->pass = number;
-		accel_shading_edge(pass, &pass->vertex[a], &pass->vertex[b], side, &entry->edge);
+	for (int i = 0; i < list->count; i++)
+		vertex[i] = &list->middle[i];
+	accel_shading_vertices(pass, vertex, list->count, side);
+	for (int i = 0; i < list->count; i++) {
+		const struct accel_ends *ends = &group->ends[list->edge[i]];
+
+		shading_edge_end(pass, &group->vertex[ends->a], &group->vertex[ends->b], side,
+				 &list->span[i], &list->middle[i], &group->edge[list->edge[i]]);
 	}
-	*edge = entry->edge;
+	list->count = 0;
 }
 
-bool accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side)
+static void shading_side_edges(const struct accel_pass *pass, const struct accel_group *group,
+			       uint32_t first, int side)
 {
-	const struct accel_finish *finish = &pass->lighting.finish[side];
-	struct accel_vertex middle;
-	float spread = 0, curve[3];
+	struct middles list;
 
-	if (pass->interpolated)
-		return accel_interpolate_inside(patch);
+	list.count = 0;
+	for (uint32_t i = first; i < group->edges; i++) {
+		const struct accel_ends *ends = &group->ends[i];
+		const struct accel_vertex *a = &group->vertex[ends->a];
+		const struct accel_vertex *b = &group->vertex[ends->b];
+
+		if (group->link[ends->a].side != side)
+			continue;
+		if (shading_interpolates(pass)) {
+			accel_interpolate_edge(a, b, &group->edge[i]);
+			continue;
+		}
+		if (shading_edge_begin(pass, a, b, side, &list.span[list.count], &group->edge[i]))
+			continue;
+		accel_patch_middle(a, b, &list.middle[list.count]);
+		list.edge[list.count++] = i;
+		if (list.count == ACCEL_BATCH)
+			shading_middles_flush(pass, group, side, &list);
+	}
+	shading_middles_flush(pass, group, side, &list);
+}
+
+void accel_shading_edges(const struct accel_pass *pass, const struct accel_group *group,
+			 uint32_t first)
+{
+	for (int side = 0; side <= accel_pass_sides(pass); side++)
+		shading_side_edges(pass, group, first, side);
+}
+
+/* The largest spread of its edges. */
+static float shading_patch_spread(const struct accel_patch *patch)
+{
+	float spread = 0;
+
 	for (int i = 0; i < 3; i++)
 		spread = number_larger(spread, patch->edge[i]->spread);
-	if (!(spread * number_larger(finish->shininess, 1) > HIGHLIGHT_WIDE))
-		return false;
-	accel_patch_centre(patch, &middle);
-	accel_shading_vertex(pass, &middle, side);
+	return spread;
+}
+
+/* Does the light at the middle, which is lit, say that the triangle must be split? */
+static bool shading_inside(const struct accel_pass *pass, const struct accel_patch *patch, int side,
+			   const struct accel_vertex *middle)
+{
+	const struct accel_finish *finish = &pass->lighting.finish[side];
+	float spread = shading_patch_spread(patch), curve[3];
+
 	/* No point is farther from the middle than two thirds of the longest edge. */
 	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
-	    shading_highlight_near(finish, middle.sample.shine, spread * 4 / 9))
+	    shading_highlight_near(finish, middle->sample.shine, spread * 4 / 9))
 		return true;
 	accel_patch_surface_centre(patch, curve);
-	return shading_deviation(curve, middle.sample.colour) > CURVE;
+	return shading_deviation(curve, middle->sample.colour) > CURVE;
+}
+
+void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,
+			  int count, int side, bool *inside)
+{
+	const float shininess = number_larger(pass->lighting.finish[side].shininess, 1);
+	struct accel_vertex middle[ACCEL_BATCH], *vertex[ACCEL_BATCH] = { NULL };
+	int number[ACCEL_BATCH], looked = 0;
+
+	for (int i = 0; i < count; i++) {
+		inside[i] = pass->interpolated && accel_interpolate_inside(patch[i]);
+		if (pass->interpolated ||
+		    !(shading_patch_spread(patch[i]) * shininess > HIGHLIGHT_WIDE))
+			continue;
+		accel_patch_centre(patch[i], &middle[looked]);
+		vertex[looked] = &middle[looked];
+		number[looked++] = i;
+	}
+	accel_shading_vertices(pass, vertex, looked, side);
+	for (int i = 0; i < looked; i++)
+		inside[number[i]] = shading_inside(pass, patch[number[i]], side, &middle[i]);
 }

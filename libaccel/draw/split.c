@@ -1,155 +1,36 @@
 // SPDX-License-Identifier: MIT
 /*
- * A triangle and its parts. A triangle is split at the screen midpoints of the edges that ask for
+ * Triangles and their parts. A triangle is split at the screen midpoints of the edges that ask for
  * it, and its parts again. Midpoints are exact, so the parts cover the same pixels as the triangle
  * did, whatever its neighbours do; and they keep the triangle's depth plane, so depth is the same
  * too, to the bit. Their colour is taken from the triangle's own normals, linear in space.
+ *
+ * Many triangles are split at once, level by level, so that the vertices and edges of a level are
+ * lit together. What an edge's halves need is found once for both its triangles.
  */
-#include "draw/bin.h"
+#include "draw/group.h"
+#include "draw/kernel.h"
 
-/* What all parts of a triangle share. */
-struct whole {
-	struct accel_pass *pass;
-	struct accel_depth_plane plane;
-	int side;
-};
+/* What splitting a part adds at most. */
+#define NEW_VERTICES 3
+#define NEW_EDGES 9
+#define NEW_PARTS 4
 
-/* The middle of an edge, and the edges on both sides of it. */
-struct cut {
-	struct accel_vertex middle;
-	struct accel_edge half[2];
-};
+/* ---- what is to be split ---- */
 
-static int split_draw_part(const struct whole *whole, const struct accel_patch *patch);
-
-static void split_cut_init(const struct whole *whole, const struct accel_patch *patch, int i,
-			   struct cut *cut)
+/* The edge that comes first, so that those to split, 1 or 2 of them, come before others. */
+static int split_first(const struct accel_edge *const edge[3], int count)
 {
-	const struct accel_vertex *a = patch->vertex[i], *b = patch->vertex[(i + 1) % 3];
-
-	accel_patch_middle(a, b, &cut->middle);
-	if (patch->edge[i]->sampled) {
-		cut->middle.sample = patch->edge[i]->middle;
-		cut->middle.sampled = 1u + (unsigned int)whole->side;
-	} else if (!whole->pass->interpolated) {
-		accel_shading_vertex(whole->pass, &cut->middle, whole->side);
-	}
-	accel_shading_edge(whole->pass, a, &cut->middle, whole->side, &cut->half[0]);
-	accel_shading_edge(whole->pass, &cut->middle, b, whole->side, &cut->half[1]);
-}
-
-static void split_inner_edge(const struct whole *whole, const struct accel_vertex *a,
-			     const struct accel_vertex *b, struct accel_edge *edge)
-{
-	accel_shading_edge(whole->pass, a, b, whole->side, edge);
-}
-
-/* Edge 0 into two: from its middle to the vertex opposite. */
-static int split_one(const struct whole *whole, const struct accel_patch *p)
-{
-	const struct accel_vertex *const *v = p->vertex;
-	struct accel_edge inner;
-	struct cut cut;
-	int err;
-
-	split_cut_init(whole, p, 0, &cut);
-	split_inner_edge(whole, &cut.middle, v[2], &inner);
-	err = split_draw_part(whole, &(struct accel_patch){ { v[0], &cut.middle, v[2] },
-							    { &cut.half[0], &inner, p->edge[2] } });
-	if (err)
-		return err;
-	return split_draw_part(whole,
-			       &(struct accel_patch){ { &cut.middle, v[1], v[2] },
-						      { &cut.half[1], p->edge[1], &inner } });
-}
-
-/* Edges 0 and 1: the corner between them, and two from what is left. */
-static int split_two(const struct whole *whole, const struct accel_patch *p)
-{
-	const struct accel_vertex *const *v = p->vertex;
-	struct accel_edge across, inner;
-	struct cut cut[2];
-	int err;
-
-	split_cut_init(whole, p, 0, &cut[0]);
-	split_cut_init(whole, p, 1, &cut[1]);
-	split_inner_edge(whole, &cut[0].middle, &cut[1].middle, &across);
-	split_inner_edge(whole, &cut[0].middle, v[2], &inner);
-	err = split_draw_part(whole, &(struct accel_patch){
-					     { &cut[0].middle, v[1], &cut[1].middle },
-					     { &cut[0].half[1], &cut[1].half[0], &across } });
-	if (err)
-		return err;
-	err = split_draw_part(whole,
-			      &(struct accel_patch){ { &cut[0].middle, &cut[1].middle, v[2] },
-						     { &across, &cut[1].half[1], &inner } });
-	if (err)
-		return err;
-	return split_draw_part(whole,
-			       &(struct accel_patch){ { v[0], &cut[0].middle, v[2] },
-						      { &cut[0].half[0], &inner, p->edge[2] } });
-}
-
-/* All edges: three corners and the middle. */
-static int split_three(const struct whole *whole, const struct accel_patch *p)
-{
-	struct accel_edge inner[3]; /* inner[i] cuts off vertex i */
-	struct cut cut[3];
-	int err = 0;
-
-	for (int i = 0; i < 3; i++)
-		split_cut_init(whole, p, i, &cut[i]);
-	for (int i = 0; i < 3; i++)
-		split_inner_edge(whole, &cut[i].middle, &cut[(i + 2) % 3].middle, &inner[i]);
-	for (int i = 0; i < 3 && !err; i++) {
-		const struct cut *before = &cut[(i + 2) % 3];
-
-		err = split_draw_part(whole,
-				      &(struct accel_patch){
-					      { p->vertex[i], &cut[i].middle, &before->middle },
-					      { &cut[i].half[0], &inner[i], &before->half[1] } });
-	}
-	if (err)
-		return err;
-	return split_draw_part(whole, &(struct accel_patch){
-					      { &cut[0].middle, &cut[1].middle, &cut[2].middle },
-					      { &inner[1], &inner[2], &inner[0] } });
-}
-
-static struct accel_patch split_rotate(const struct accel_patch *patch, int by)
-{
-	struct accel_patch turned;
-
-	for (int i = 0; i < 3; i++) {
-		turned.vertex[i] = patch->vertex[(i + by) % 3];
-		turned.edge[i] = patch->edge[(i + by) % 3];
-	}
-	return turned;
-}
-
-/* The patch turned so that the edges to split, 1 or 2 of them, come first. */
-static struct accel_patch split_first(const struct accel_patch *patch, int count)
-{
-	int by = 0;
+	int first = 0;
 
 	if (count == 1)
 		/* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): one of three is split */
-		while (!patch->edge[by]->split)
-			by++;
-	else
-		while (patch->edge[(by + 2) % 3]->split)
-			by++;
-	return split_rotate(patch, by);
-}
-
-static int split(const struct whole *whole, const struct accel_patch *patch, int count)
-{
-	struct accel_patch turned;
-
-	if (count == 3)
-		return split_three(whole, patch);
-	turned = split_first(patch, count);
-	return count == 1 ? split_one(whole, &turned) : split_two(whole, &turned);
+		while (!edge[first]->split)
+			first++;
+	if (count == 2)
+		while (edge[(first + 2) % 3]->split)
+			first++;
+	return first;
 }
 
 /* Can all edges be split? */
@@ -168,19 +49,21 @@ static bool split_is_divisible(const struct accel_patch *patch)
  */
 static bool split_inner_fits(const struct accel_patch *patch, int count)
 {
-	struct accel_patch turned = split_first(patch, count);
+	int first = split_first(patch->edge, count);
 	struct accel_vertex middle;
 
-	accel_patch_middle(turned.vertex[0], turned.vertex[1], &middle);
-	return accel_setup_edge_fits(&middle, turned.vertex[2]);
+	accel_patch_middle(patch->vertex[first], patch->vertex[(first + 1) % 3], &middle);
+	return accel_setup_edge_fits(&middle, patch->vertex[(first + 2) % 3]);
 }
 
-/* Into how many edges' halves: 0 to draw it as it is. */
-static int splits(const struct whole *whole, const struct accel_patch *patch)
+#define INSIDE (-1)
+
+/* How many edges of a triangle are to be split, 0 to 3; INSIDE: its edges do not say. */
+static int split_edges(const struct accel_pass *pass, const struct accel_patch *patch)
 {
 	int count = 0;
 
-	if (whole->pass->state->shading == ACCEL_SHADING_QUADRATIC)
+	if (pass->state->shading == ACCEL_SHADING_QUADRATIC)
 		return 0;
 	for (int i = 0; i < 3; i++)
 		count += patch->edge[i]->split;
@@ -188,105 +71,263 @@ static int splits(const struct whole *whole, const struct accel_patch *patch)
 		return count;
 	if (!split_is_divisible(patch))
 		return 0;
-	return count || accel_shading_inside(whole->pass, patch, whole->side) ? 3 : 0;
+	return count ? 3 : INSIDE;
 }
 
-static int split_draw(struct accel_pass *pass, struct accel_triangle *triangle)
+/* Those that no edge splits may be split because of their middles, which are lit together. */
+static void split_look_inside(const struct accel_pass *pass, const struct accel_patch *patch,
+			      int count, int side, int *splits)
 {
-	accel_small_round(triangle);
-	switch (triangle->shading) {
-	case GLOSS_SHADING_FLAT:
-		pass->stats->flat++;
-		break;
-	case GLOSS_SHADING_LINEAR:
-		pass->stats->linear++;
-		break;
-	default:
-		pass->stats->second_order++;
+	const struct accel_patch *looked[ACCEL_BATCH] = { NULL };
+	int number[ACCEL_BATCH], many = 0;
+	bool inside[ACCEL_BATCH];
+
+	for (int i = 0; i < count; i++) {
+		if (splits[i] != INSIDE || patch[i].side != side)
+			continue;
+		looked[many] = &patch[i];
+		number[many++] = i;
 	}
-	return accel_bin_triangle(pass->bin, triangle);
+	accel_shading_inside(pass, looked, many, side, inside);
+	for (int i = 0; i < many; i++)
+		splits[number[i]] = inside[i] ? 3 : 0;
 }
 
-static int split_draw_part(const struct whole *whole, const struct accel_patch *patch)
+void accel_split_decide(const struct accel_pass *pass, const struct accel_patch *patch, int count,
+			int *splits)
 {
-	struct accel_pass *pass = whole->pass;
-	struct accel_triangle triangle = { .plane = &whole->plane };
-	struct accel_basis basis;
-	int count;
-
-	if (!accel_setup_init(&triangle.setup, patch->vertex) ||
-	    !accel_setup_draws(&triangle.setup, &pass->transform.window.visible))
-		return 0;
-	count = splits(whole, patch);
-	if (count)
-		return split(whole, patch, count);
-	accel_small_init(&triangle.small, &triangle.setup);
-	accel_surface_basis(&basis, patch->vertex);
-	accel_surface_patch(&triangle, &basis, patch);
-	return split_draw(pass, &triangle);
+	for (int i = 0; i < count; i++)
+		splits[i] = split_edges(pass, &patch[i]);
+	for (int side = 0; side <= accel_pass_sides(pass); side++)
+		split_look_inside(pass, patch, count, side, splits);
 }
 
-static int split_draw_patch(const struct whole *whole, struct accel_triangle *triangle,
-			    const struct accel_basis *basis,
-			    const struct accel_vertex *const vertex[3], const uint32_t *index)
+/* ---- one part ---- */
+
+/* The middle of a part's edge, and the edges on both sides of it, in the part's direction. */
+struct cut {
+	uint32_t middle, half[2];
+};
+
+/* The halves of an edge, made for the first part that asks. */
+static void split_halve(const struct accel_pass *pass, uint32_t number, int side)
 {
-	struct accel_edge edge[3];
-	struct accel_patch patch;
-	int count;
+	struct accel_group *group = pass->group;
+	const struct accel_edge *edge = &group->edge[number];
+	struct accel_ends *ends = &group->ends[number];
+	struct accel_vertex *middle = &group->vertex[group->vertices];
+
+	accel_patch_middle(&group->vertex[ends->a], &group->vertex[ends->b], middle);
+	if (edge->sampled)
+		middle->sample = edge->middle;
+	if (edge->sampled || pass->interpolated)
+		middle->sampled = 1u + (unsigned int)side;
+	ends->middle = accel_group_vertex(group, side);
+	ends->half = accel_group_edge(group, ends->a, ends->middle);
+	accel_group_edge(group, ends->middle, ends->b);
+}
+
+static struct cut split_cut(const struct accel_pass *pass, const struct accel_part *part, int i)
+{
+	const struct accel_ends *ends = &pass->group->ends[part->edge[i]];
+	uint32_t along = ends->a == part->vertex[i];
+
+	if (ends->middle == ACCEL_NONE)
+		split_halve(pass, part->edge[i], part->side);
+	return (struct cut){ ends->middle, { ends->half + !along, ends->half + along } };
+}
+
+struct three {
+	uint32_t of[3];
+};
+
+static void split_add(struct accel_group *group, int side, struct three vertex, struct three edge)
+{
+	struct accel_part *part = &group->part[group->parts++];
 
 	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3;
-
-		if (index)
-			accel_shading_mesh_edge(whole->pass, index[i], index[j], whole->side,
-						&edge[i]);
-		else
-			accel_shading_edge(whole->pass, vertex[i], vertex[j], whole->side,
-					   &edge[i]);
-		patch.vertex[i] = vertex[i];
-		patch.edge[i] = &edge[i];
+		part->vertex[i] = vertex.of[i];
+		part->edge[i] = edge.of[i];
 	}
-	count = splits(whole, &patch);
-	if (count) {
-		whole->pass->stats->split++;
-		return split(whole, &patch, count);
-	}
-	if (whole->pass->state->shading == ACCEL_SHADING_GOURAUD && !edge[0].curved &&
-	    !edge[1].curved && !edge[2].curved)
-		accel_surface_gouraud(triangle, basis, vertex);
-	else
-		accel_surface_patch(triangle, basis, &patch);
-	return split_draw(whole->pass, triangle);
+	part->side = side;
+	part->children = 0;
+	part->splits = 0;
 }
 
-int accel_split_draw(struct accel_pass *pass, struct accel_vertex *const vertex[3],
-		     const uint32_t *index, struct accel_vertex *flat, int side)
-{
-	const struct accel_vertex *const corner[3] = { vertex[0], vertex[1], vertex[2] };
-	struct accel_triangle triangle;
-	struct accel_basis basis;
-	struct whole whole = { .pass = pass, .side = side };
+#define THREE(a, b, c) ((struct three){ { a, b, c } })
 
-	if (!accel_setup_init(&triangle.setup, corner) ||
-	    !accel_setup_draws(&triangle.setup, &pass->transform.window.visible)) {
-		pass->stats->culled++;
-		return 0;
-	}
-	accel_surface_basis(&basis, corner);
-	accel_surface_plane(&whole.plane, &basis, corner, triangle.setup.narrow);
-	accel_small_init(&triangle.small, &triangle.setup);
-	if (triangle.small.fits)
-		accel_small_plane(&whole.plane);
-	triangle.plane = &whole.plane;
-	if (pass->state->shading == ACCEL_SHADING_FLAT) {
-		accel_shading_vertex(pass, flat, side);
-		accel_surface_flat(&triangle, flat->sample.colour);
-		return split_draw(pass, &triangle);
-	}
+/* Edge 0 into two: from its middle to the vertex opposite. */
+static void split_one(const struct accel_pass *pass, const struct accel_part *p)
+{
+	struct accel_group *group = pass->group;
+	const uint32_t *v = p->vertex;
+	struct cut cut = split_cut(pass, p, 0);
+	uint32_t inner = accel_group_edge(group, cut.middle, v[2]);
+
+	split_add(group, p->side, THREE(v[0], cut.middle, v[2]),
+		  THREE(cut.half[0], inner, p->edge[2]));
+	split_add(group, p->side, THREE(cut.middle, v[1], v[2]),
+		  THREE(cut.half[1], p->edge[1], inner));
+}
+
+/* Edges 0 and 1: the corner between them, and two from what is left. */
+static void split_two(const struct accel_pass *pass, const struct accel_part *p)
+{
+	struct accel_group *group = pass->group;
+	const uint32_t *v = p->vertex;
+	struct cut a = split_cut(pass, p, 0), b = split_cut(pass, p, 1);
+	uint32_t across = accel_group_edge(group, a.middle, b.middle);
+	uint32_t inner = accel_group_edge(group, a.middle, v[2]);
+
+	split_add(group, p->side, THREE(a.middle, v[1], b.middle),
+		  THREE(a.half[1], b.half[0], across));
+	split_add(group, p->side, THREE(a.middle, b.middle, v[2]), THREE(across, b.half[1], inner));
+	split_add(group, p->side, THREE(v[0], a.middle, v[2]), THREE(a.half[0], inner, p->edge[2]));
+}
+
+/* All edges: three corners and the middle. */
+static void split_three(const struct accel_pass *pass, const struct accel_part *p)
+{
+	struct accel_group *group = pass->group;
+	uint32_t inner[3]; /* inner[i] cuts off vertex i */
+	struct cut cut[3];
+
 	for (int i = 0; i < 3; i++)
-		accel_shading_vertex(pass, vertex[i], side);
-	if (pass->state->shading != ACCEL_SHADING_GOURAUD || !accel_interpolate_straight(corner))
-		return split_draw_patch(&whole, &triangle, &basis, corner, index);
-	accel_surface_gouraud(&triangle, &basis, corner);
-	return split_draw(pass, &triangle);
+		cut[i] = split_cut(pass, p, i);
+	for (int i = 0; i < 3; i++)
+		inner[i] = accel_group_edge(group, cut[i].middle, cut[(i + 2) % 3].middle);
+	for (int i = 0; i < 3; i++) {
+		const struct cut *before = &cut[(i + 2) % 3];
+
+		split_add(group, p->side, THREE(p->vertex[i], cut[i].middle, before->middle),
+			  THREE(cut[i].half[0], inner[i], before->half[1]));
+	}
+	split_add(group, p->side, THREE(cut[0].middle, cut[1].middle, cut[2].middle),
+		  THREE(inner[1], inner[2], inner[0]));
+}
+
+static void split(const struct accel_pass *pass, struct accel_part *part)
+{
+	struct accel_group *group = pass->group;
+	const struct accel_edge *const edge[3] = { &group->edge[part->edge[0]],
+						   &group->edge[part->edge[1]],
+						   &group->edge[part->edge[2]] };
+	int first = split_first(edge, part->splits);
+	struct accel_part turned = { .side = part->side };
+
+	for (int i = 0; i < 3; i++) {
+		turned.vertex[i] = part->vertex[(i + first) % 3];
+		turned.edge[i] = part->edge[(i + first) % 3];
+	}
+	part->child = group->parts;
+	if (part->splits == 1)
+		split_one(pass, &turned);
+	else if (part->splits == 2)
+		split_two(pass, &turned);
+	else
+		split_three(pass, &turned);
+	part->children = (int)(group->parts - part->child);
+}
+
+/* ---- level by level ---- */
+
+uint32_t accel_split_root(struct accel_group *group, const struct accel_face *face, int splits)
+{
+	const uint32_t *v = face->vertex, *e = face->edge;
+
+	split_add(group, face->side, THREE(v[0], v[1], v[2]), THREE(e[0], e[1], e[2]));
+	group->part[group->parts - 1].splits = splits;
+	return group->parts - 1;
+}
+
+void accel_split_forget(struct accel_group *group, uint32_t vertices, uint32_t edges)
+{
+	for (uint32_t i = 0; i < group->parts; i++)
+		for (int j = 0; j < 3; j++)
+			group->ends[group->part[i].edge[j]].middle = ACCEL_NONE;
+	group->vertices = vertices;
+	group->edges = edges;
+	group->parts = 0;
+}
+
+/* Room for the parts of parts @first to @end - 1. */
+static int split_reserve(struct accel_group *group, uint32_t first, uint32_t end)
+{
+	uint32_t count = 0;
+
+	for (uint32_t i = first; i < end; i++)
+		count += group->part[i].splits > 0;
+	return accel_group_reserve_parts(group, NEW_VERTICES * count, NEW_EDGES * count,
+					 NEW_PARTS * count);
+}
+
+/* Lights the vertices from @first on that are not. */
+static void split_light(const struct accel_pass *pass, uint32_t first, int side)
+{
+	const struct accel_group *group = pass->group;
+	struct accel_vertex *vertex[ACCEL_BATCH] = { NULL };
+	int count = 0;
+
+	for (uint32_t i = first; i < group->vertices; i++) {
+		if (group->vertex[i].sampled || group->link[i].side != side)
+			continue;
+		vertex[count++] = &group->vertex[i];
+		if (count == ACCEL_BATCH) {
+			accel_shading_vertices(pass, vertex, count, side);
+			count = 0;
+		}
+	}
+	accel_shading_vertices(pass, vertex, count, side);
+}
+
+/* Which of parts @first to @end - 1 draw anything, and are to be split; at most ACCEL_BATCH. */
+static void split_look(const struct accel_pass *pass, uint32_t first, uint32_t end)
+{
+	const struct accel_group *group = pass->group;
+	struct accel_patch patch[ACCEL_BATCH] = { 0 };
+	int splits[ACCEL_BATCH], count = 0;
+	uint32_t number[ACCEL_BATCH];
+
+	for (uint32_t n = first; n < end; n++) {
+		struct accel_part *part = &group->part[n];
+
+		for (int i = 0; i < 3; i++) {
+			patch[count].vertex[i] = &group->vertex[part->vertex[i]];
+			patch[count].edge[i] = &group->edge[part->edge[i]];
+		}
+		patch[count].side = part->side;
+		part->draws = accel_setup_init(&part->setup, patch[count].vertex) &&
+			      accel_setup_draws(&part->setup, &pass->transform.window.visible);
+		if (part->draws)
+			number[count++] = n;
+	}
+	accel_split_decide(pass, patch, count, splits);
+	for (int i = 0; i < count; i++)
+		group->part[number[i]].splits = splits[i];
+}
+
+int accel_split_all(const struct accel_pass *pass)
+{
+	struct accel_group *group = pass->group;
+	uint32_t end;
+
+	for (uint32_t first = 0; first < group->parts; first = end) {
+		const uint32_t vertices = group->vertices, edges = group->edges;
+		int err;
+
+		end = group->parts;
+		err = split_reserve(group, first, end);
+		if (err)
+			return err;
+		for (uint32_t i = first; i < end; i++)
+			if (group->part[i].splits)
+				split(pass, &group->part[i]);
+		for (int side = 0; side <= accel_pass_sides(pass); side++)
+			split_light(pass, vertices, side);
+		accel_shading_edges(pass, group, edges);
+		for (uint32_t i = end; i < group->parts; i += ACCEL_BATCH)
+			split_look(pass, i,
+				   group->parts - i < ACCEL_BATCH ? group->parts : i + ACCEL_BATCH);
+	}
+	return 0;
 }

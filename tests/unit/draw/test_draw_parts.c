@@ -5,12 +5,15 @@
  */
 #include "draw_test.h"
 
-/* Chance decides what an edge needs, instead of light. */
-static void chance_edge(const struct accel_pass *pass, const struct accel_vertex *a,
-			const struct accel_vertex *b, int side, struct accel_edge *edge);
+#include "draw/group.h"
 
-#define accel_shading_edge chance_edge
+/* Chance decides what edges need, instead of light. */
+static void chance_edges(const struct accel_pass *pass, const struct accel_group *group,
+			 uint32_t first);
+
+#define accel_shading_edges chance_edges
 #include "draw/split.c"
+#include "draw/face.c"
 
 #define WIDTH 128
 #define HEIGHT 2048
@@ -30,25 +33,31 @@ static void surface_colour(int32_t x, int32_t y, float colour[3])
 	colour[2] = 0.2f + 0.5f * u - 0.3f * v * v + 0.4f * u * v;
 }
 
-static void chance_edge(const struct accel_pass *pass, const struct accel_vertex *a,
-			const struct accel_vertex *b, int side, struct accel_edge *edge)
+static void chance_edges(const struct accel_pass *pass, const struct accel_group *group,
+			 uint32_t first)
 {
 	(void)pass;
-	(void)side;
-	*edge = (struct accel_edge){
-		.split = accel_patch_divisible(a, b) && test_below(&seed, 16) < split_odds,
-		.sampled = true,
-		.curved = true,
-	};
-	surface_colour((a->x + b->x) / 2, (a->y + b->y) / 2, edge->colour);
-	memcpy(edge->middle.colour, edge->colour, sizeof(edge->colour));
-	edge->middle.colour[3] = 1;
+	for (uint32_t i = first; i < group->edges; i++) {
+		const struct accel_vertex *a = &group->vertex[group->ends[i].a];
+		const struct accel_vertex *b = &group->vertex[group->ends[i].b];
+		struct accel_edge *edge = &group->edge[i];
+
+		*edge = (struct accel_edge){
+			.split = accel_patch_divisible(a, b) && test_below(&seed, 16) < split_odds,
+			.sampled = true,
+			.curved = true,
+		};
+		surface_colour((a->x + b->x) / 2, (a->y + b->y) / 2, edge->colour);
+		memcpy(edge->middle.colour, edge->colour, sizeof(edge->colour));
+		edge->middle.colour[3] = 1;
+	}
 }
 
 struct fixture {
 	struct accel_state *state;
 	struct accel_bin bin;
 	struct accel_draw_stats stats;
+	struct accel_group group;
 	struct accel_pass pass;
 };
 
@@ -60,7 +69,10 @@ static int setup(void **state)
 	seed = test_seed();
 	assert_int_equal(accel_state_new(&f.state), 0);
 	accel_bin_init(&f.bin, 64);
-	f.pass = (struct accel_pass){ .state = f.state, .bin = &f.bin, .stats = &f.stats };
+	f.pass = (struct accel_pass){
+		.state = f.state, .group = &f.group, .bin = &f.bin, .stats = &f.stats
+	};
+	assert_int_equal(accel_group_reserve(&f.group, 0, 1), 0);
 	f.pass.transform.window.visible = (struct accel_bounds){ 0, 0, WIDTH, HEIGHT };
 	*state = &f;
 	return 0;
@@ -71,8 +83,28 @@ static int teardown(void **state)
 	struct fixture *f = *state;
 
 	accel_bin_free(&f->bin);
+	accel_group_free(&f->group);
 	accel_state_free(f->state);
 	return 0;
+}
+
+/* As a face of a group, whose vertices are complete. */
+static int draw_triangle(struct fixture *f, struct accel_vertex *const vertex[3])
+{
+	const struct accel_vertex *const corner[3] = { vertex[0], vertex[1], vertex[2] };
+	struct accel_face *face = accel_group_face(&f->group);
+	int err = 0;
+
+	*face = (struct accel_face){ .clipped = true };
+	for (int i = 0; i < 3; i++) {
+		face->vertex[i] = accel_group_vertex(&f->group, 0);
+		f->group.vertex[face->vertex[i]] = *vertex[i];
+	}
+	if (accel_setup_init(&face->setup, corner) &&
+	    accel_setup_draws(&face->setup, &f->pass.transform.window.visible))
+		err = accel_face_draw_all(&f->pass);
+	accel_group_reset(&f->group);
+	return err;
 }
 
 /* Draws the triangle whole (0) or in parts (1), and counts; returns how many parts there were. */
@@ -87,7 +119,7 @@ static uint64_t draw_counted(struct fixture *f, struct accel_vertex *const verte
 	memset(counts[which], 0, WIDTH * HEIGHT);
 	assert_int_equal(accel_bin_begin(&f->bin, WIDTH, HEIGHT), 0);
 	accel_bin_state(&f->bin, f->state, &f->pass.transform.window.visible);
-	assert_int_equal(accel_split_draw(&f->pass, vertex, NULL, vertex[2], 0), 0);
+	assert_int_equal(draw_triangle(f, vertex), 0);
 	records_of_bin(&f->bin, coverage_record, &coverage);
 	records_of_bin(&f->bin, picture_record, &picture);
 	assert_int_equal(coverage.empty, 0);

@@ -73,6 +73,66 @@ static void vertices_are_the_same_with_all_instructions(void **unused)
 	accel_state_free(state);
 }
 
+/* Lights of all kinds; the brightness of some is none. */
+static void any_lights(uint64_t *seed, struct accel_state *state)
+{
+	for (int i = 0; i < ACCEL_LIGHTS; i++) {
+		struct accel_light light = ACCEL_LIGHT(.enabled = test_below(seed, 2),
+						       .attenuation = { 1, 0.2f, 0.1f });
+		float *colour[] = { light.ambient, light.diffuse, light.specular };
+
+		for (int j = 0; j < 4; j++) {
+			light.position[j] = 4 * test_unit(seed) - 2;
+			for (int k = 0; k < 3 && test_below(seed, 4); k++)
+				colour[k][j] = test_unit(seed);
+		}
+		if (test_below(seed, 3) == 0)
+			light.position[3] = 0;
+		if (test_below(seed, 2)) {
+			light.spot_cutoff = 1 + 89 * test_unit(seed);
+			light.spot_exponent = test_below(seed, 2) ? 128 * test_unit(seed) : 0;
+		}
+		assert_int_equal(accel_state_set_light(state, i, &light), 0);
+	}
+}
+
+static void assert_same_light(const struct accel_light_batch *a, const struct accel_light_batch *b)
+{
+	assert_memory_equal(&a->colour, &b->colour,
+			    offsetof(struct accel_light_batch, unit) -
+				    offsetof(struct accel_light_batch, colour));
+}
+
+static void light_is_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_light_batch given, wanted, got;
+	uint64_t seed = test_seed();
+
+	(void)unused;
+	for (int n = 0; n < ROUNDS; n++) {
+		struct accel_state *state = state_shiny(n % 5 ? 1000 * test_unit(&seed) : 0);
+		int side = n % 2, count = test_between(&seed, 1, ACCEL_BATCH + 1);
+		struct accel_lighting lighting;
+
+		any_lights(&seed, state);
+		accel_state_set_local_viewer(state, n & 2);
+		accel_lighting_init(&lighting, state, n & 4);
+		fill(&seed, &given.eye[0][0], 10 * (size_t)ACCEL_BATCH, n % 8 ? 2 : 60);
+		wanted = got = given;
+		accel_kernel_baseline.light(&lighting, side, &wanted, count);
+		settle(&wanted.shine, 3 * sizeof(wanted.shine));
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = given;
+			accel_kernels[i]->light(&lighting, side, &got, count);
+			settle(&got.shine, 3 * sizeof(got.shine));
+			assert_same_light(&got, &wanted);
+		}
+		accel_state_free(state);
+	}
+}
+
 /* ---- streams ---- */
 
 static uint64_t checksum;
@@ -179,6 +239,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(vertices_are_the_same_with_all_instructions),
+		cmocka_unit_test(light_is_the_same_with_all_instructions),
 		cmocka_unit_test(streams_are_the_same_with_all_instructions),
 		cmocka_unit_test(the_library_takes_the_last_that_runs),
 	};

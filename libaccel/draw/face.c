@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+/* The faces of a group from vertices of the mesh to triangles in the bin, stage by stage. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "draw/bin.h"
+#include "draw/group.h"
+#include "draw/kernel.h"
+
+/* Whole triangles, where each has vertices of its own. */
+#define OWN_BATCH (ACCEL_BATCH / 3 * 3)
+
+/* Parts that faces are split into before these are drawn, about; and those of one, at most. */
+#define PARTS 32768u
+#define PARTS_MAX 5461u
+
+/* ---- vertices ---- */
+
+/* Vertices of a group that are transformed and lit together: those of one side. */
+struct vertices {
+	int count;
+	uint32_t index[ACCEL_BATCH]; /* of the mesh */
+	struct accel_vertex *vertex[ACCEL_BATCH];
+	struct accel_vertex_batch batch;
+};
+
+/* The direction in which the front of a triangle looks, by its vertices in eye space. */
+static void face_normal(const float a[3], const float b[3], const float c[3], float out[3])
+{
+	double n[3], length;
+
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		n[i] = ((double)b[j] - (double)a[j]) * ((double)c[k] - (double)a[k]) -
+		       ((double)b[k] - (double)a[k]) * ((double)c[j] - (double)a[j]);
+	}
+	length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+	for (int i = 0; i < 3; i++)
+		out[i] = length > 0 ? (float)(n[i] / length) : 0;
+}
+
+void accel_face_flatten(struct accel_vertex *const vertex[3])
+{
+	face_normal(vertex[0]->eye, vertex[1]->eye, vertex[2]->eye, vertex[0]->normal);
+	memcpy(vertex[1]->normal, vertex[0]->normal, sizeof(vertex[0]->normal));
+	memcpy(vertex[2]->normal, vertex[0]->normal, sizeof(vertex[0]->normal));
+}
+
+static void face_vertices_flush(const struct accel_pass *pass, struct vertices *list, int side)
+{
+	bool own = !accel_pass_shares(pass);
+
+	accel_mesh_fetch(pass, list->index, list->count, &list->batch);
+	for (int i = 0; i < list->count; i++)
+		accel_geometry_vertex_of(&list->batch, i, list->vertex[i]);
+	for (int i = 0; i < list->count && own; i += 3)
+		accel_face_flatten(&list->vertex[i]);
+	accel_shading_vertices(pass, list->vertex, list->count, side);
+	list->count = 0;
+}
+
+static void face_vertices(const struct accel_pass *pass, int side)
+{
+	const struct accel_group *group = pass->group;
+	const int batch = accel_pass_shares(pass) ? ACCEL_BATCH : OWN_BATCH;
+	struct vertices list;
+
+	list.count = 0;
+	for (uint32_t i = 0; i < group->vertices; i++) {
+		if (group->link[i].index == ACCEL_NONE || group->link[i].side != side)
+			continue;
+		list.index[list.count] = group->link[i].index;
+		list.vertex[list.count++] = &group->vertex[i];
+		if (list.count == batch)
+			face_vertices_flush(pass, &list, side);
+	}
+	face_vertices_flush(pass, &list, side);
+}
+
+/* ---- edges ---- */
+
+static void face_corners(const struct accel_group *group, const struct accel_face *face,
+			 const struct accel_vertex *corner[3])
+{
+	for (int i = 0; i < 3; i++)
+		corner[i] = &group->vertex[face->vertex[i]];
+}
+
+static void face_link_edges(const struct accel_pass *pass)
+{
+	struct accel_group *group = pass->group;
+	const enum accel_shading shading = pass->state->shading;
+
+	for (uint32_t i = 0; i < group->faces; i++) {
+		struct accel_face *face = &group->face[i];
+		const struct accel_vertex *corner[3];
+
+		face_corners(group, face, corner);
+		if (shading == ACCEL_SHADING_FLAT ||
+		    (shading == ACCEL_SHADING_GOURAUD && accel_interpolate_straight(corner)))
+			face->edge[0] = ACCEL_NONE;
+		else
+			accel_group_link_edges(group, face);
+	}
+}
+
+/* ---- triangles ---- */
+
+int accel_face_bin(struct accel_pass *pass, struct accel_triangle *triangle)
+{
+	accel_small_round(triangle);
+	switch (triangle->shading) {
+	case GLOSS_SHADING_FLAT:
+		pass->stats->flat++;
+		break;
+	case GLOSS_SHADING_LINEAR:
+		pass->stats->linear++;
+		break;
+	default:
+		pass->stats->second_order++;
+	}
+	return accel_bin_triangle(pass->bin, triangle);
+}
+
+static void face_patch(const struct accel_group *group, const uint32_t vertex[3],
+		       const uint32_t edge[3], int side, struct accel_patch *patch)
+{
+	for (int i = 0; i < 3; i++) {
+		patch->vertex[i] = &group->vertex[vertex[i]];
+		patch->edge[i] = &group->edge[edge[i]];
+	}
+	patch->side = side;
+}
+
+static int face_draw_part(struct accel_pass *pass, const struct accel_depth_plane *plane,
+			  const struct accel_part *part)
+{
+	struct accel_triangle triangle = { .setup = part->setup, .plane = plane };
+	struct accel_basis basis;
+	struct accel_patch patch;
+	int err = 0;
+
+	for (int i = 0; i < part->children && !err; i++)
+		err = face_draw_part(pass, plane, &pass->group->part[part->child + (uint32_t)i]);
+	if (part->children || !part->draws)
+		return err;
+	face_patch(pass->group, part->vertex, part->edge, part->side, &patch);
+	accel_small_init(&triangle.small, &triangle.setup);
+	accel_surface_basis(&basis, patch.vertex);
+	accel_surface_patch(&triangle, &basis, &patch);
+	return accel_face_bin(pass, &triangle);
+}
+
+/* A face that is not split; @triangle has all but its colours. */
+static int face_draw_whole(struct accel_pass *pass, const struct accel_face *face,
+			   const struct accel_vertex *const corner[3],
+			   const struct accel_basis *basis, struct accel_triangle *triangle)
+{
+	const enum accel_shading shading = pass->state->shading;
+	struct accel_patch patch;
+
+	if (face->edge[0] == ACCEL_NONE) {
+		if (shading == ACCEL_SHADING_FLAT)
+			accel_surface_flat(triangle,
+					   pass->group->vertex[face->flat].sample.colour);
+		else
+			accel_surface_gouraud(triangle, basis, corner);
+		return accel_face_bin(pass, triangle);
+	}
+	face_patch(pass->group, face->vertex, face->edge, face->side, &patch);
+	if (shading == ACCEL_SHADING_GOURAUD && !patch.edge[0]->curved && !patch.edge[1]->curved &&
+	    !patch.edge[2]->curved)
+		accel_surface_gouraud(triangle, basis, corner);
+	else
+		accel_surface_patch(triangle, basis, &patch);
+	return accel_face_bin(pass, triangle);
+}
+
+/* Faces that are decided on together. */
+struct faces {
+	const struct accel_face *face;
+	int count;
+	int splits[ACCEL_BATCH];
+	uint32_t root[ACCEL_BATCH]; /* of those that are split */
+};
+
+static int face_draw(struct accel_pass *pass, const struct faces *list, int i)
+{
+	const struct accel_face *face = &list->face[i];
+	const struct accel_vertex *corner[3];
+	struct accel_depth_plane plane;
+	struct accel_triangle triangle = { .setup = face->setup, .plane = &plane };
+	struct accel_basis basis;
+
+	face_corners(pass->group, face, corner);
+	accel_surface_basis(&basis, corner);
+	accel_surface_plane(&plane, &basis, corner, face->setup.narrow);
+	accel_small_init(&triangle.small, &triangle.setup);
+	if (triangle.small.fits)
+		accel_small_plane(&plane);
+	if (!list->splits[i])
+		return face_draw_whole(pass, face, corner, &basis, &triangle);
+	pass->stats->split++;
+	return face_draw_part(pass, &plane, &pass->group->part[list->root[i]]);
+}
+
+static void face_decide(const struct accel_pass *pass, struct faces *list)
+{
+	struct accel_patch patch[ACCEL_BATCH] = { 0 };
+	int splits[ACCEL_BATCH], number[ACCEL_BATCH], edged = 0;
+
+	for (int i = 0; i < list->count; i++) {
+		const struct accel_face *face = &list->face[i];
+
+		list->splits[i] = 0;
+		if (face->edge[0] == ACCEL_NONE)
+			continue;
+		face_patch(pass->group, face->vertex, face->edge, face->side, &patch[edged]);
+		number[edged++] = i;
+	}
+	accel_split_decide(pass, patch, edged, splits);
+	for (int i = 0; i < edged; i++)
+		list->splits[number[i]] = splits[i];
+}
+
+/* How many parts a face may become, about: what covers no pixel is not split again. */
+static uint32_t face_parts(const struct accel_group *group, const struct accel_face *face)
+{
+	const struct accel_vertex *corner[3];
+	int32_t across = 0, down = 0;
+
+	face_corners(group, face, corner);
+	for (int i = 0; i < 3; i++) {
+		const struct accel_vertex *next = corner[(i + 1) % 3];
+
+		across = number_max(across, abs(next->x - corner[i]->x) / ACCEL_WINDOW_ONE + 1);
+		down = number_max(down, abs(next->y - corner[i]->y) / ACCEL_WINDOW_ONE + 1);
+	}
+	return across < 16 && down < 16 ? (uint32_t)(across * down) * 24 : PARTS_MAX;
+}
+
+/* Splits faces from @first on; returns up to which, so that their parts are a bounded number. */
+static int face_split(const struct accel_pass *pass, struct faces *list, int first, int *end)
+{
+	struct accel_group *group = pass->group;
+	uint32_t parts = 0;
+	int err;
+
+	err = accel_group_reserve_parts(group, 0, 0, ACCEL_BATCH);
+	for (*end = first; !err && *end < list->count && parts < PARTS; ++*end) {
+		if (!list->splits[*end])
+			continue;
+		list->root[*end] = accel_split_root(group, &list->face[*end], list->splits[*end]);
+		parts += face_parts(group, &list->face[*end]);
+	}
+	return err || !parts ? err : accel_split_all(pass);
+}
+
+static int face_draw_batch(struct accel_pass *pass, uint32_t number, int count)
+{
+	struct accel_group *group = pass->group;
+	const uint32_t vertices = group->vertices, edges = group->edges;
+	struct faces list = { .face = &group->face[number], .count = count };
+	int err = 0, end;
+
+	face_decide(pass, &list);
+	for (int first = 0; first < count && !err; first = end) {
+		err = face_split(pass, &list, first, &end);
+		for (int i = first; i < end && !err; i++)
+			err = face_draw(pass, &list, i);
+		accel_split_forget(group, vertices, edges);
+	}
+	return err;
+}
+
+int accel_face_draw_all(struct accel_pass *pass)
+{
+	struct accel_group *group = pass->group;
+	int err = 0;
+
+	accel_group_link(group, accel_pass_shares(pass));
+	for (int side = 0; side <= accel_pass_sides(pass); side++)
+		face_vertices(pass, side);
+	face_link_edges(pass);
+	accel_shading_edges(pass, group, 0);
+	for (uint32_t i = 0; i < group->faces && !err; i += ACCEL_BATCH)
+		err = face_draw_batch(pass, i, number_min((int)(group->faces - i), ACCEL_BATCH));
+	accel_group_reset(group);
+	return err;
+}

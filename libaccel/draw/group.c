@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+/* A group's memory, and which of its faces share vertices and edges. */
+#include <errno.h>
+#include <stdlib.h>
+
+#include "draw/group.h"
+
+/* Faces that one triangle may become. */
+#define CLIPPED_FACES ACCEL_POLYGON_MAX
+
+static int group_reserve_screens(struct accel_group *group, uint32_t vertices)
+{
+	size_t size;
+
+	if (vertices <= group->screens_room)
+		return 0;
+	if (__builtin_mul_overflow(vertices, sizeof(*group->screen), &size))
+		return -ENOMEM;
+	free(group->screen);
+	group->screens_room = 0;
+	group->screen = malloc(size);
+	if (!group->screen)
+		return -ENOMEM;
+	group->screens_room = vertices;
+	return 0;
+}
+
+/* Room for @count elements; what is there is kept. */
+static int group_grow(void *list, size_t size, uint32_t *room, size_t count)
+{
+	void **array = list, *grown;
+
+	grown = realloc(*array, count * size);
+	if (!grown)
+		return -ENOMEM;
+	*array = grown;
+	if (room)
+		*room = (uint32_t)count;
+	return 0;
+}
+
+static int group_reserve_vertices(struct accel_group *group, size_t count)
+{
+	int err = 0;
+
+	if (count <= group->vertices_room)
+		return 0;
+	err = group_grow(&group->link, sizeof(*group->link), NULL, count);
+	return err ? err :
+		     group_grow(&group->vertex, sizeof(*group->vertex), &group->vertices_room,
+				count);
+}
+
+static int group_reserve_edges(struct accel_group *group, size_t count)
+{
+	int err = 0;
+
+	if (count <= group->edges_room)
+		return 0;
+	err = group_grow(&group->ends, sizeof(*group->ends), NULL, count);
+	return err ? err :
+		     group_grow(&group->edge, sizeof(*group->edge), &group->edges_room, count);
+}
+
+static int group_reserve_faces(struct accel_group *group, uint32_t triangles)
+{
+	size_t faces = (triangles < ACCEL_GROUP_FACES ? triangles : ACCEL_GROUP_FACES) +
+		       CLIPPED_FACES;
+	int err = 0;
+
+	if (faces > group->faces_room)
+		err = group_grow(&group->face, sizeof(*group->face), &group->faces_room, faces);
+	if (!err)
+		err = group_reserve_vertices(group, 4 * faces);
+	return err ? err : group_reserve_edges(group, 3 * faces);
+}
+
+/* In steps, so that it seldom happens. */
+static size_t group_more(uint32_t count, uint32_t more)
+{
+	return ((size_t)count + more + 4095) / 4096 * 4096;
+}
+
+int accel_group_reserve_parts(struct accel_group *group, uint32_t vertices, uint32_t edges,
+			      uint32_t parts)
+{
+	int err = group_reserve_vertices(group, group_more(group->vertices, vertices));
+
+	if (!err)
+		err = group_reserve_edges(group, group_more(group->edges, edges));
+	if (!err && group->parts + parts > group->parts_room)
+		err = group_grow(&group->part, sizeof(*group->part), &group->parts_room,
+				 group_more(group->parts, parts));
+	return err;
+}
+
+int accel_group_reserve(struct accel_group *group, uint32_t vertices, uint32_t triangles)
+{
+	int err = group_reserve_screens(group, vertices);
+
+	if (!err)
+		err = group_reserve_faces(group, triangles);
+	group->faces = group->vertices = group->edges = group->parts = 0;
+	return err;
+}
+
+void accel_group_free(struct accel_group *group)
+{
+	free(group->screen);
+	free(group->face);
+	free(group->vertex);
+	free(group->link);
+	free(group->edge);
+	free(group->ends);
+	free(group->part);
+}
+
+void accel_group_reset(struct accel_group *group)
+{
+	for (uint32_t i = 0; i < group->vertices; i++)
+		if (group->link[i].index != ACCEL_NONE)
+			group->screen[group->link[i].index].vertex = ACCEL_NONE;
+	group->faces = group->vertices = group->edges = 0;
+}
+
+bool accel_group_full(const struct accel_group *group)
+{
+	return group->faces + CLIPPED_FACES > group->faces_room;
+}
+
+struct accel_face *accel_group_face(struct accel_group *group)
+{
+	return &group->face[group->faces++];
+}
+
+static uint32_t group_vertex(struct accel_group *group, uint32_t index, int side)
+{
+	group->link[group->vertices] = (struct accel_link){
+		.index = index,
+		.other = ACCEL_NONE,
+		.edge = ACCEL_NONE,
+		.side = side,
+	};
+	return group->vertices++;
+}
+
+uint32_t accel_group_vertex(struct accel_group *group, int side)
+{
+	return group_vertex(group, ACCEL_NONE, side);
+}
+
+uint32_t accel_group_edge(struct accel_group *group, uint32_t a, uint32_t b)
+{
+	group->ends[group->edges] = (struct accel_ends){
+		.a = a,
+		.b = b,
+		.next = ACCEL_NONE,
+		.middle = ACCEL_NONE,
+	};
+	return group->edges++;
+}
+
+/* The vertex of the group that is vertex @index of the mesh, seen from @side. */
+static uint32_t group_find_vertex(struct accel_group *group, uint32_t index, int side)
+{
+	uint32_t *at = &group->screen[index].vertex;
+
+	while (*at != ACCEL_NONE && group->link[*at].side != side)
+		at = &group->link[*at].other;
+	if (*at == ACCEL_NONE)
+		*at = group_vertex(group, index, side);
+	return *at;
+}
+
+void accel_group_link(struct accel_group *group, bool shared)
+{
+	for (uint32_t n = 0; n < group->faces; n++) {
+		struct accel_face *face = &group->face[n];
+
+		if (face->clipped)
+			continue;
+		for (int i = 0; i < 3; i++)
+			face->vertex[i] = shared ? group_find_vertex(group, face->vertex[i],
+								     face->side) :
+						   group_vertex(group, face->vertex[i], face->side);
+		face->flat = face->vertex[2];
+	}
+}
+
+static uint32_t group_find_edge(struct accel_group *group, uint32_t a, uint32_t b)
+{
+	uint32_t low = a < b ? a : b, high = a < b ? b : a, edge = group->link[low].edge;
+
+	while (edge != ACCEL_NONE && group->ends[edge].b != high)
+		edge = group->ends[edge].next;
+	if (edge != ACCEL_NONE)
+		return edge;
+	edge = accel_group_edge(group, low, high);
+	group->ends[edge].next = group->link[low].edge;
+	group->link[low].edge = edge;
+	return edge;
+}
+
+void accel_group_link_edges(struct accel_group *group, struct accel_face *face)
+{
+	for (int i = 0; i < 3; i++)
+		face->edge[i] = group_find_edge(group, face->vertex[i], face->vertex[(i + 1) % 3]);
+}

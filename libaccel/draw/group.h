@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Triangles of a mesh that are seen, worked together. Each stage is a loop over what the one before
+ * has found, in batches that know of nothing but their own range:
+ *
+ *   mesh.c    puts faces in, in the order of the mesh: what is culled never gets here
+ *   group.c   link: the vertices that faces need, each once, and the edges between them
+ *   face.c    transforms and lights the vertices, lights the edges, and draws the faces in order
+ *
+ * A group has a bounded number of faces, so that its memory is bounded; of a larger mesh only what
+ * two groups share is worked twice.
+ */
+#ifndef ACCEL_DRAW_GROUP_H
+#define ACCEL_DRAW_GROUP_H
+
+#include "draw/draw_priv.h"
+
+#define ACCEL_GROUP_FACES 32768u
+#define ACCEL_NONE UINT32_MAX
+
+/* What is known of a vertex of the mesh when triangles are culled; as in accel_vertex. */
+struct accel_screen {
+	struct accel_point at;
+	uint32_t outside;
+	uint32_t vertex; /* of the group; ACCEL_NONE: it is not needed so far */
+};
+
+struct accel_face {
+	uint32_t vertex[3]; /* of the mesh; after accel_group_link of the group */
+	uint32_t flat;      /* vertex that gives a flat triangle its colour, likewise */
+	uint32_t edge[3];   /* of the group; ACCEL_NONE: not looked at */
+	int side;
+	bool clipped; /* its vertices are of the group from the beginning */
+	struct accel_setup setup;
+};
+
+/* A vertex's place in the mesh, and its edges. */
+struct accel_link {
+	uint32_t index; /* ACCEL_NONE: clipping made it, and it is complete */
+	uint32_t other; /* the same vertex with its other side; or ACCEL_NONE */
+	uint32_t edge;  /* the first of those that begin here; or ACCEL_NONE */
+	int side;
+};
+
+/* An edge's vertices in the group. */
+struct accel_ends {
+	uint32_t a, b;
+	uint32_t next; /* the next edge that begins at @a; or ACCEL_NONE */
+	/* If it is split: its middle, and the edge from @a to there, after which that to @b comes. */
+	uint32_t middle, half; /* middle: or ACCEL_NONE */
+};
+
+/* A face that is split, or a part of it. */
+struct accel_part {
+	uint32_t vertex[3], edge[3]; /* of the group; edge i is from vertex i to the next */
+	uint32_t child;              /* the first of its own parts, */
+	int children;                /* so many; 0: it is drawn as it is, or covers no pixel */
+	int splits;                  /* how many of its edges are split */
+	int side;
+	bool draws;
+	struct accel_setup setup; /* if it draws; not of a face */
+};
+
+struct accel_group {
+	struct accel_screen *screen; /* of each vertex of the mesh */
+	uint32_t screens_room;
+	uint32_t faces, faces_room;
+	struct accel_face *face;
+	uint32_t vertices, vertices_room;
+	struct accel_vertex *vertex;
+	struct accel_link *link; /* as many */
+	uint32_t edges, edges_room;
+	struct accel_edge *edge;
+	struct accel_ends *ends; /* as many */
+	uint32_t parts, parts_room;
+	struct accel_part *part;
+};
+
+/* ---- group.c ---- */
+
+/* Room for a mesh of so many. -ENOMEM. */
+int accel_group_reserve(struct accel_group *group, uint32_t vertices, uint32_t triangles);
+void accel_group_free(struct accel_group *group);
+/* Room for so many more, while faces are split. -ENOMEM. */
+int accel_group_reserve_parts(struct accel_group *group, uint32_t vertices, uint32_t edges,
+			      uint32_t parts);
+/* Forgets all faces, and that vertices of the mesh were needed. */
+void accel_group_reset(struct accel_group *group);
+/* Has it no room for what one more triangle may become? */
+bool accel_group_full(const struct accel_group *group);
+/* A new face, of which nothing is set. */
+struct accel_face *accel_group_face(struct accel_group *group);
+/* New ones, of which a vertex has no content yet, and which nothing else shares; their numbers. */
+uint32_t accel_group_vertex(struct accel_group *group, int side);
+uint32_t accel_group_edge(struct accel_group *group, uint32_t a, uint32_t b);
+/*
+ * Finds the vertices of all faces; @shared: faces with the same vertex of the mesh have the same
+ * one here, else each has its own.
+ */
+void accel_group_link(struct accel_group *group, bool shared);
+/* Finds the edges of a face. */
+void accel_group_link_edges(struct accel_group *group, struct accel_face *face);
+
+/* ---- split.c ---- */
+
+/*
+ * How many edges of triangles are to be split, 0 to 3, as their edges and the light inside of them
+ * say. @count is at most ACCEL_BATCH.
+ */
+void accel_split_decide(const struct accel_pass *pass, const struct accel_patch *patch, int count,
+			int *splits);
+/* A face that is to be split, as a part; returns its number. There is room. */
+uint32_t accel_split_root(struct accel_group *group, const struct accel_face *face, int splits);
+/* Splits the roots, and their parts, until none is to be split any more. -ENOMEM. */
+int accel_split_all(const struct accel_pass *pass);
+/* Forgets all parts; @vertices and @edges were there before. */
+void accel_split_forget(struct accel_group *group, uint32_t vertices, uint32_t edges);
+
+/* ---- face.c ---- */
+
+/* Draws all faces of pass->group, and forgets them. */
+int accel_face_draw_all(struct accel_pass *pass);
+
+#endif
