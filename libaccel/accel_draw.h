@@ -268,7 +268,7 @@ struct accel_draw_stats {
 /*
  * A draw collects one frame at a time, and keeps the memory that this took for the next: its
  * stream, 16 bytes for each vertex of the largest mesh, and for triangles that are worked together
- * 900 bytes each, up to 30 MB.
+ * 900 bytes each, up to 8 MB.
  */
 int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
 /* Forgets a frame that was not submitted. */

@@ -253,7 +253,8 @@ struct accel_pass {
 	bool interpolated; /* points between vertices are not lit */
 	struct accel_transform transform;
 	struct accel_lighting lighting;
-	struct accel_group *group; /* memory for it (group.h) */
+	struct accel_screen *screen; /* of each vertex of the mesh (group.h) */
+	struct accel_group *group;   /* memory for triangles (group.h) */
 	struct accel_bin *bin;
 	struct accel_draw_stats *stats;
 };
@@ -279,9 +280,16 @@ static inline int accel_pass_sides(const struct accel_pass *pass)
 int accel_mesh_begin(struct accel_pass *pass);
 /* How many triangles it has, at most. */
 uint32_t accel_mesh_triangles(const struct accel_mesh *mesh);
-/* Fills pass->group->screen. -EINVAL: something is not finite. */
-int accel_mesh_transform(struct accel_pass *pass);
-int accel_mesh_draw(struct accel_pass *pass);
+/*
+ * Fills pass->screen[first] to [end - 1]. Returns the first vertex that is not finite, or @end.
+ * Ranges can be worked by different threads.
+ */
+uint32_t accel_mesh_transform(const struct accel_pass *pass, uint32_t first, uint32_t end);
+/*
+ * Draws triangles @first to @end - 1 of accel_mesh_triangles. Threads can draw different ranges,
+ * each with a pass whose group, bin and stats are its own.
+ */
+int accel_mesh_draw(struct accel_pass *pass, uint32_t first, uint32_t end);
 /* Vertices @index of the mesh, transformed. */
 void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
 		      struct accel_vertex_batch *batch);

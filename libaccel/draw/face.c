@@ -65,9 +65,8 @@ static void face_vertices(const struct accel_pass *pass, int side)
 {
 	const struct accel_group *group = pass->group;
 	const int batch = accel_pass_shares(pass) ? ACCEL_BATCH : OWN_BATCH;
-	struct vertices list;
+	struct vertices list = { .count = 0 };
 
-	list.count = 0;
 	for (uint32_t i = 0; i < group->vertices; i++) {
 		if (group->link[i].index == ACCEL_NONE || group->link[i].side != side)
 			continue;

@@ -8,35 +8,35 @@
 /* Faces that one triangle may become. */
 #define CLIPPED_FACES ACCEL_POLYGON_MAX
 
-static int group_reserve_screens(struct accel_group *group, uint32_t vertices)
-{
-	size_t size;
-
-	if (vertices <= group->screens_room)
-		return 0;
-	if (__builtin_mul_overflow(vertices, sizeof(*group->screen), &size))
-		return -ENOMEM;
-	free(group->screen);
-	group->screens_room = 0;
-	group->screen = malloc(size);
-	if (!group->screen)
-		return -ENOMEM;
-	group->screens_room = vertices;
-	return 0;
-}
-
 /* Room for @count elements; what is there is kept. */
 static int group_grow(void *list, size_t size, uint32_t *room, size_t count)
 {
 	void **array = list, *grown;
+	size_t bytes;
 
-	grown = realloc(*array, count * size);
+	if (__builtin_mul_overflow(count, size, &bytes))
+		return -ENOMEM;
+	grown = realloc(*array, bytes);
 	if (!grown)
 		return -ENOMEM;
 	*array = grown;
 	if (room)
 		*room = (uint32_t)count;
 	return 0;
+}
+
+/* Between uses it has ACCEL_NONE everywhere. */
+static int group_reserve_of(struct accel_group *group, uint32_t vertices)
+{
+	const uint32_t before = group->of_room;
+	int err = 0;
+
+	if (vertices > before)
+		err = group_grow(&group->of, sizeof(*group->of), &group->of_room, vertices);
+	if (!err)
+		for (uint32_t i = before; i < group->of_room; i++)
+			group->of[i] = ACCEL_NONE;
+	return err;
 }
 
 static int group_reserve_vertices(struct accel_group *group, size_t count)
@@ -96,7 +96,7 @@ int accel_group_reserve_parts(struct accel_group *group, uint32_t vertices, uint
 
 int accel_group_reserve(struct accel_group *group, uint32_t vertices, uint32_t triangles)
 {
-	int err = group_reserve_screens(group, vertices);
+	int err = group_reserve_of(group, vertices);
 
 	if (!err)
 		err = group_reserve_faces(group, triangles);
@@ -106,7 +106,7 @@ int accel_group_reserve(struct accel_group *group, uint32_t vertices, uint32_t t
 
 void accel_group_free(struct accel_group *group)
 {
-	free(group->screen);
+	free(group->of);
 	free(group->face);
 	free(group->vertex);
 	free(group->link);
@@ -119,7 +119,7 @@ void accel_group_reset(struct accel_group *group)
 {
 	for (uint32_t i = 0; i < group->vertices; i++)
 		if (group->link[i].index != ACCEL_NONE)
-			group->screen[group->link[i].index].vertex = ACCEL_NONE;
+			group->of[group->link[i].index] = ACCEL_NONE;
 	group->faces = group->vertices = group->edges = 0;
 }
 
@@ -163,7 +163,7 @@ uint32_t accel_group_edge(struct accel_group *group, uint32_t a, uint32_t b)
 /* The vertex of the group that is vertex @index of the mesh, seen from @side. */
 static uint32_t group_find_vertex(struct accel_group *group, uint32_t index, int side)
 {
-	uint32_t *at = &group->screen[index].vertex;
+	uint32_t *at = &group->of[index];
 
 	while (*at != ACCEL_NONE && group->link[*at].side != side)
 		at = &group->link[*at].other;

@@ -15,14 +15,13 @@
 
 #include "draw/draw_priv.h"
 
-#define ACCEL_GROUP_FACES 32768u
+#define ACCEL_GROUP_FACES 8192u
 #define ACCEL_NONE UINT32_MAX
 
 /* What is known of a vertex of the mesh when triangles are culled; as in accel_vertex. */
 struct accel_screen {
 	struct accel_point at;
 	uint32_t outside;
-	uint32_t vertex; /* of the group; ACCEL_NONE: it is not needed so far */
 };
 
 struct accel_face {
@@ -62,8 +61,8 @@ struct accel_part {
 };
 
 struct accel_group {
-	struct accel_screen *screen; /* of each vertex of the mesh */
-	uint32_t screens_room;
+	uint32_t *of; /* vertex of the group that one of the mesh is; ACCEL_NONE: none so far */
+	uint32_t of_room;
 	uint32_t faces, faces_room;
 	struct accel_face *face;
 	uint32_t vertices, vertices_room;

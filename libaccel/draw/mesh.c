@@ -67,38 +67,37 @@ void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int 
 	accel_kernel()->transform(&pass->transform, batch, count, normal);
 }
 
-/* Keeps what culling needs of vertices from @first on. */
+/* Keeps what culling needs of vertices from @first on; returns how many there are up to a bad one. */
 static int mesh_keep(const struct accel_pass *pass, uint32_t first, int count,
 		     const struct accel_vertex_batch *batch)
 {
 	for (int i = 0; i < count; i++) {
-		if (!batch->finite[i]) {
-			accel_device_message(pass->device, "vertex %u of the mesh is not finite",
-					     first + (uint32_t)i);
-			return -EINVAL;
-		}
-		pass->group->screen[first + (uint32_t)i] = (struct accel_screen){
-			{ batch->x[i], batch->y[i] }, batch->outside[i], ACCEL_NONE
+		if (!batch->finite[i])
+			return i;
+		pass->screen[first + (uint32_t)i] = (struct accel_screen){
+			{ batch->x[i], batch->y[i] }, batch->outside[i]
 		};
 	}
-	return 0;
+	return count;
 }
 
-int accel_mesh_transform(struct accel_pass *pass)
+uint32_t accel_mesh_transform(const struct accel_pass *pass, uint32_t first, uint32_t end)
 {
-	const uint32_t vertices = pass->mesh->vertices;
 	struct accel_vertex_batch batch;
 	uint32_t index[ACCEL_BATCH];
-	int count, err = 0;
 
-	for (uint32_t first = 0; first < vertices && !err; first += (uint32_t)count) {
-		count = vertices - first < ACCEL_BATCH ? (int)(vertices - first) : ACCEL_BATCH;
+	while (first < end) {
+		int count = end - first < ACCEL_BATCH ? (int)(end - first) : ACCEL_BATCH, good;
+
 		for (int i = 0; i < count; i++)
 			index[i] = first + (uint32_t)i;
 		accel_mesh_fetch(pass, index, count, &batch);
-		err = mesh_keep(pass, first, count, &batch);
+		good = mesh_keep(pass, first, count, &batch);
+		first += (uint32_t)good;
+		if (good < count)
+			break;
 	}
-	return err;
+	return first;
 }
 
 /* The side that is seen; -1: neither, or it is culled. */
@@ -256,7 +255,7 @@ static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], u
 /* The last of @index is the vertex that gives a flat triangle its colour. */
 static void mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3])
 {
-	const struct accel_screen *const screen = pass->group->screen;
+	const struct accel_screen *const screen = pass->screen;
 	const struct accel_screen *a = &screen[index[0]], *b = &screen[index[1]];
 	const struct accel_screen *c = &screen[index[2]];
 	const uint32_t planes = (a->outside | b->outside | c->outside) & ACCEL_OUTSIDE_CLIP;
@@ -298,26 +297,23 @@ static void mesh_triangle_index(const struct accel_mesh *mesh, uint32_t i, uint3
 		index[j] = mesh->index ? mesh->index[element[j]] : element[j];
 }
 
-static uint32_t mesh_step(const struct accel_mesh *mesh)
-{
-	return mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
-}
-
 uint32_t accel_mesh_triangles(const struct accel_mesh *mesh)
 {
-	return (mesh->index ? mesh->indices : mesh->vertices) / mesh_step(mesh);
+	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
+
+	if (elements < 3)
+		return 0;
+	return mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? elements / 3 : elements - 2;
 }
 
-int accel_mesh_draw(struct accel_pass *pass)
+int accel_mesh_draw(struct accel_pass *pass, uint32_t first, uint32_t end)
 {
-	const struct accel_mesh *mesh = pass->mesh;
-	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
-	uint32_t step = mesh_step(mesh);
+	const uint32_t step = pass->mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
 	uint32_t index[3];
 	int err = 0;
 
-	for (uint32_t i = 0; elements - i >= 3 && !err; i += step) {
-		mesh_triangle_index(mesh, i, index);
+	for (uint32_t i = first; i < end && !err; i++) {
+		mesh_triangle_index(pass->mesh, i * step, index);
 		mesh_put_triangle(pass, index);
 		if (accel_group_full(pass->group))
 			err = accel_face_draw_all(pass);

@@ -20,8 +20,6 @@ static void reserve(struct accel_group *group, uint32_t vertices)
 {
 	*group = (struct accel_group){ .faces = 0 };
 	assert_int_equal(accel_group_reserve(group, vertices, 10), 0);
-	for (uint32_t i = 0; i < vertices; i++)
-		group->screen[i] = (struct accel_screen){ .vertex = ACCEL_NONE };
 }
 
 static void a_shared_edge_and_its_vertices_are_found_once(void **unused)
@@ -45,7 +43,7 @@ static void a_shared_edge_and_its_vertices_are_found_once(void **unused)
 	/* The next group knows nothing of it. */
 	accel_group_reset(&group);
 	for (int i = 0; i < 100; i++)
-		assert_int_equal(group.screen[i].vertex, ACCEL_NONE);
+		assert_int_equal(group.of[i], ACCEL_NONE);
 	accel_group_free(&group);
 }
 
