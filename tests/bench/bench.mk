@@ -30,7 +30,8 @@ $(CONTEST_PROGRAMS) $(BUILD)/tests/bench/bench_setup: $(SUBJECT_OBJS)
 keep_figures = mkdir -p $(BUILD)/bench && { tests/bench/retry $(BUILD)/bench/$(1).txt $(2); status=$$?; } && \
 	cat $(BUILD)/bench/$(1).txt && exit $$status
 
-.PHONY: bench bench-frame bench-growth bench-load bench-shade bench-setup figures frame-pictures run-merge run-bench-run
+.PHONY: bench bench-frame bench-growth bench-load bench-shade bench-setup figures frame-pictures plot test-plot \
+	run-bench-figures run-bench-run run-merge
 bench-frame: $(BUILD)/tests/bench/bench_frame ## frames a processor second against Mesa's drivers (SHORT=1: one round)
 	$(Q)$(call keep_figures,frame,$< $(SHORT_OPTION) $(MODELS))
 
@@ -55,13 +56,19 @@ bench-load: $(BUILD)/tests/bench/bench_load ## time and memory of reading a mesh
 bench: ## all figures, also if a part fails, in build/bench.json; with those of make synth if it has run
 	$(Q)+tests/bench/run $(BUILD) docs/figures.md $(BENCHES)
 
-# Without those that mean nothing on another machine; and with those that miss their aims.
-figures: nmse-table ## run make bench, and put its ratios and counts into docs/figures.md
+# Also what there is of a run in which a part failed.
+figures: nmse-table ## run make bench, put its ratios and counts into docs/figures.md, and draw them
 	$(Q)+$(MAKE) --no-print-directory bench; status=$$?; \
-	{ echo '```'; awk -F '[":, ]+' '/"/ && !/mpix_s|mtri_s|kclk_s|mb_s|_us|_ms/ { printf "%-36s %g\n", $$2, $$3 }' \
-		$(BUILD)/bench.json; echo '```'; } >$(BUILD)/bench.md; \
-	sed -i -e '/^<!-- bench -->$$/,/^<!-- end -->$$/{//!d}' -e '/^<!-- bench -->$$/r $(BUILD)/bench.md' \
-		docs/figures.md; exit $$status
+	tests/bench/figures $(BUILD)/bench.json docs/figures.md && $(MAKE) --no-print-directory plot && exit $$status
+
+plot: ## draw the main figures of docs/figures.md anew
+	$(Q)tests/bench/plot docs/figures.md docs/pictures/speed.svg
+
+test-plot: ## the drawing of figures is of those in docs/figures.md
+	$(call quiet,TEST,plot)
+	$(Q)tests/bench/plot --check docs/figures.md docs/pictures/speed.svg
+
+CHECKS += test-plot
 
 run-merge:
 	$(call quiet,TEST,merge)
@@ -71,4 +78,8 @@ run-bench-run:
 	$(call quiet,TEST,bench/run)
 	$(Q)tests/bench/test_run.sh $(BUILD)/tests/bench/run
 
-UNIT_TESTS += merge bench-run
+run-bench-figures:
+	$(call quiet,TEST,bench/figures)
+	$(Q)tests/bench/test_figures.sh $(BUILD)/tests/bench/figures
+
+UNIT_TESTS += merge bench-run bench-figures
