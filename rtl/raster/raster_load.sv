@@ -292,8 +292,8 @@ module raster_load #(
       .Channel   (c)
     ) u_colour (
       .clk_i    (clk_i),
-      .write_i  (take_part[gloss_pkg::PART_COLOUR]),
-      .small_i  (take_part[gloss_pkg::PART_SMALL_COLOUR]),
+      .write_i  (take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_SMALL_COLOUR]),
+      .small_i  (listed_q),
       .scale_i  (slope_scale),
       .row_i    (row_q),
       .data_i   (data_q),

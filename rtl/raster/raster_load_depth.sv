@@ -34,8 +34,19 @@ module raster_load_depth #(
   // ---- small: the words, and a clock later what they mean ----
   logic                    small_z_q, small_slopes_q;
   gloss_pkg::depth_small_t small_q;
-  logic [5:0]              small_shift;
   logic [$bits(depth_o)-1:0] small_plane;
+
+  // A choice of four; a shift by a number would become a barrel shifter.
+  function automatic logic [CoefficientBits-1:0] scaled(logic [14:0] value, logic [1:0] scale);
+    logic [CoefficientBits-1:0] wide;
+    wide = {{(CoefficientBits-15){value[14]}}, value};
+    unique case (scale)
+      2'd0: scaled = wide << gloss_pkg::SmallDepthShift;
+      2'd1: scaled = wide << gloss_pkg::SmallDepthShift + gloss_pkg::SmallDepthScaleShift;
+      2'd2: scaled = wide << gloss_pkg::SmallDepthShift + 2 * gloss_pkg::SmallDepthScaleShift;
+      default: scaled = wide << gloss_pkg::SmallDepthShift + 3 * gloss_pkg::SmallDepthScaleShift;
+    endcase
+  endfunction
 
   always_ff @(posedge clk_i) begin
     small_z_q <= small_i && row_i == 5'(2/Lanes);
@@ -43,11 +54,8 @@ module raster_load_depth #(
     small_q <= {data_i[32*(3%Lanes) +: 32], data_i[32*(2%Lanes) +: 32]};
   end
 
-  assign small_shift = 6'(gloss_pkg::SmallDepthShift) +
-                       6'(small_q.scale) * 6'(gloss_pkg::SmallDepthScaleShift);
   assign small_plane = {CoefficientBits'(small_q.z) << gloss_pkg::SmallDepthShift,
-                        CoefficientBits'(small_q.dx) << small_shift,
-                        CoefficientBits'(small_q.dy) << small_shift};
+                        scaled(small_q.dx, small_q.scale), scaled(small_q.dy, small_q.scale)};
 
   for (genvar n = 0; n < 3; n++) begin : gen_word
     logic [31:0] word;

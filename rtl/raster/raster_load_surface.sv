@@ -10,7 +10,7 @@ module raster_load_surface #(
 
   // from raster_load
   input  logic                  write_i,
-  input  logic                  small_i,    // write a small record's; not with write_i
+  input  logic                  small_i,    // it is a small record
   input  logic [1:0]            scale_i,    // of its first differences
   input  logic [4:0]            row_i,
   input  logic [StreamBits-1:0] data_i,
@@ -28,6 +28,29 @@ module raster_load_surface #(
   localparam int unsigned BendWord = 4 + Channel;
   localparam int unsigned Unit = gloss_pkg::SmallSlopeShift;
 
+  // Choices of four; a shift by a number would become a barrel shifter.
+  function automatic logic [31:0] slope(logic [11:0] value, logic [1:0] scale);
+    logic [31:0] wide;
+    wide = {{20{value[11]}}, value};
+    unique case (scale)
+      2'd0: slope = wide << Unit;
+      2'd1: slope = wide << Unit + gloss_pkg::SmallSlopeScaleShift;
+      2'd2: slope = wide << Unit + 2 * gloss_pkg::SmallSlopeScaleShift;
+      default: slope = wide << Unit + 3 * gloss_pkg::SmallSlopeScaleShift;
+    endcase
+  endfunction
+
+  function automatic logic [31:0] bend(logic [9:0] value, logic [1:0] scale);
+    logic [31:0] wide;
+    wide = {{22{value[9]}}, value};
+    unique case (scale)
+      2'd0: bend = wide << gloss_pkg::SmallBendShift;
+      2'd1: bend = wide << gloss_pkg::SmallBendShift + gloss_pkg::SmallBendScaleShift;
+      2'd2: bend = wide << gloss_pkg::SmallBendShift + 2 * gloss_pkg::SmallBendScaleShift;
+      default: bend = wide << gloss_pkg::SmallBendShift + 3 * gloss_pkg::SmallBendScaleShift;
+    endcase
+  endfunction
+
   logic flat, second;
   logic [$bits(surface_o)-1:0] fields; // i, dx, dy, dxx, dxy, dyy
 
@@ -36,16 +59,12 @@ module raster_load_surface #(
 
   logic        slope_here, bend_here;
   logic [31:0] slope_word, bend_word;
-  logic [4:0]  slope_shift, bend_shift;
   logic        unused_fraction;
 
   assign slope_here = !flat && row_i == 5'(SlopeWord / Lanes);
   assign bend_here = second && row_i == 5'(BendWord / Lanes);
   assign slope_word = data_i[32*(SlopeWord%Lanes) +: 32];
   assign bend_word = data_i[32*(BendWord%Lanes) +: 32];
-  assign slope_shift = 5'(Unit) + 5'(scale_i) * 5'(gloss_pkg::SmallSlopeScaleShift);
-  assign bend_shift = 5'(gloss_pkg::SmallBendShift) +
-                      5'(bend_word[31:30]) * 5'(gloss_pkg::SmallBendScaleShift);
   assign unused_fraction = ^slope_word;
 
   for (genvar f = 0; f < 6; f++) begin : gen_field
@@ -63,36 +82,23 @@ module raster_load_surface #(
       assign sent = second ? data_i[32*(SecondWord%Lanes) +: 32] :
                              data_i[32*(LinearWord%Lanes) +: 32];
       if (f == 0) begin : gen_value
-        assign here = flat ? row_i == '0 : longer;
-        assign word = flat ? 32'(data_i[8*Channel +: 8]) << Fraction : sent;
+        assign here = flat || small_i ? row_i == '0 : longer;
+        assign word = flat ? 32'(data_i[8*Channel +: 8]) << Fraction :
+                      small_i ? {data_i[10*Channel +: 10], 22'd0} : sent;
       end else begin : gen_slope
-        assign here = !flat && longer;
-        assign word = sent;
+        assign here = small_i ? slope_here : !flat && longer;
+        assign word = small_i ? slope(slope_word[12*f-4 +: 12], scale_i) : sent;
       end
     end else begin : gen_bend
-      assign here = second && row_i == 5'(SecondWord / Lanes);
-      assign word = data_i[32*(SecondWord%Lanes) +: 32];
-    end
-
-    // What a small record's row holds of it; the value has its fraction in a word of its own.
-    logic        small_here;
-    logic [31:0] small_word;
-
-    if (f == 0) begin : gen_small_value
-      assign small_here = row_i == '0;
-      assign small_word = flat ? word : {data_i[10*Channel +: 10], 22'd0};
-    end else if (f < 3) begin : gen_small_slope
-      assign small_here = slope_here;
-      assign small_word = {{20{slope_word[12*f+7]}}, slope_word[12*f-4 +: 12]} << slope_shift;
-    end else begin : gen_small_bend
-      assign small_here = bend_here;
-      assign small_word = {{22{bend_word[10*f-21]}}, bend_word[10*f-30 +: 10]} << bend_shift;
+      assign here = small_i ? bend_here : second && row_i == 5'(SecondWord / Lanes);
+      assign word = small_i ? bend(bend_word[10*f-30 +: 10], bend_word[31:30])
+                            : data_i[32*(SecondWord%Lanes) +: 32];
     end
 
     always_ff @(posedge clk_i) begin
       if (write_i && (here || row_i == '0)) field_q <= here ? word : '0;
-      if (small_i && (small_here || row_i == '0)) field_q <= small_here ? small_word : '0;
-      if (f == 0 && small_i && slope_here) field_q[Unit +: 8] <= slope_word[7:0];
+      // The fraction of a small record's value is in another word.
+      if (f == 0 && write_i && small_i && slope_here) field_q[Unit +: 8] <= slope_word[7:0];
     end
 
     assign fields[32*(5-f) +: 32] = field_q;
