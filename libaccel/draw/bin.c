@@ -264,7 +264,7 @@ int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear)
 /* The rows of a triangle that lie in one row of tiles. */
 struct band {
 	int first, end;
-	struct accel_row row[ACCEL_BAND_ROWS];
+	const struct accel_row *row;
 };
 
 /* Are there pixels of @row between @x0 and @x1? */
@@ -338,6 +338,7 @@ int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *trian
 {
 	const struct accel_setup *setup = &triangle->setup;
 	int end = number_min(setup->end, bin->visible.y1);
+	struct accel_row room[ACCEL_BAND_ROWS];
 	struct band band;
 	int err = 0;
 
@@ -345,7 +346,7 @@ int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *trian
 	for (; band.first < end && !err; band.first = band.end) {
 		band.end = (band.first / bin->tile_size + 1) * bin->tile_size;
 		band.end = number_min(band.end, end);
-		accel_setup_rows(setup, band.first, band.end, band.row);
+		band.row = accel_setup_rows(setup, band.first, band.end, room);
 		err = bin_band_draw(bin, triangle, &band);
 	}
 	return err;

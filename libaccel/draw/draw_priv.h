@@ -65,6 +65,7 @@ struct accel_bounds {
 
 struct accel_group;        /* group.h */
 struct accel_vertex_batch; /* kernel.h */
+struct accel_setup_batch;
 struct accel_triangle;
 
 /* ---- vertices ---- */
@@ -340,19 +341,16 @@ bool accel_interpolate_inside(const struct accel_patch *patch);
 
 /* ---- setup.c ---- */
 
-/* An edge from row to row: x = ceil(place) is floor((start + row * dx) / dy), r what is left. */
+/*
+ * An edge from row to row. In row @row it is at x, and r / dy is what that is more than its exact
+ * place; with each row on, it moves by dx / dy.
+ */
 struct accel_line {
-	int64_t start;
+	int32_t row, x;
+	uint32_t r;
 	int32_t dx, dy; /* without common powers of two */
 	int32_t step;   /* dx / dy, and */
 	uint32_t m;     /* its remainder; 0 if the edge crosses one row */
-};
-
-struct accel_setup {
-	int first, turn, end; /* rows; @turn is where the two short edges meet */
-	struct accel_line left, right, middle;
-	bool right_turns; /* middle takes the place of the right edge at @turn */
-	bool narrow;      /* fits edges_compact */
 };
 
 /* The pixels of a row: left <= x < right. */
@@ -361,7 +359,17 @@ struct accel_row {
 	uint32_t left_r, right_r;
 };
 
+/* Rows of a small triangle are kept: many triangles have no more. */
+#define ACCEL_SETUP_ROWS 8
 #define ACCEL_BAND_ROWS 64
+
+struct accel_setup {
+	int first, turn, end; /* rows; @turn is where the two short edges meet */
+	bool right_turns;     /* middle takes the place of the right edge at @turn */
+	bool narrow;          /* fits edges_compact */
+	struct accel_line left, right, middle;
+	struct accel_row row[ACCEL_SETUP_ROWS]; /* from @first on, as many as there are */
+};
 
 /* Are the edge's numbers small enough for the core? */
 bool accel_setup_edge_fits(const struct accel_vertex *a, const struct accel_vertex *b);
@@ -374,16 +382,22 @@ static inline int64_t accel_setup_area(const struct accel_point *a, const struct
 
 /* The edges of a triangle that has an area; false: it crosses no row. */
 bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *const vertex[3]);
-bool accel_setup_points(struct accel_setup *setup, const struct accel_point point[3]);
+/*
+ * The same for triangle @i of a batch whose edges have been found; false: no pixel of @visible is
+ * in it. A large triangle is not looked at.
+ */
+bool accel_setup_draws(const struct accel_setup_batch *batch, int i,
+		       const struct accel_bounds *visible, struct accel_setup *setup);
 /* The left or right edge in a row. */
 const struct accel_line *accel_setup_line(const struct accel_setup *setup, int row, bool right);
-/* Where an edge is in a row. */
+/* Where an edge is in a row, its own or one after that. */
 int32_t accel_setup_at(const struct accel_line *line, int row, uint32_t *r);
-/* Rows @first to @end - 1 of the triangle, at most ACCEL_BAND_ROWS. */
-void accel_setup_rows(const struct accel_setup *setup, int first, int end, struct accel_row *row);
-/* false: no pixel of @visible is in the triangle. A large triangle is not looked at. */
-bool accel_setup_draws(const struct accel_setup *setup, const struct accel_bounds *visible);
-
+/*
+ * Rows @first to @end - 1 of the triangle, at most ACCEL_BAND_ROWS: in @room, or where they are
+ * kept.
+ */
+const struct accel_row *accel_setup_rows(const struct accel_setup *setup, int first, int end,
+					 struct accel_row *room);
 /* ---- surface.c ---- */
 
 /* As in the packet: value, first and second differences, s10.22. */

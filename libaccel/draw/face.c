@@ -162,8 +162,7 @@ static int face_draw_whole(struct accel_pass *pass, const struct accel_face *fac
 
 	if (face->edge[0] == ACCEL_NONE) {
 		if (shading == ACCEL_SHADING_FLAT)
-			accel_surface_flat(triangle,
-					   pass->group->vertex[face->flat].sample.colour);
+			accel_surface_flat(triangle, pass->group->vertex[face->flat].sample.colour);
 		else
 			accel_surface_gouraud(triangle, basis, corner);
 		return accel_face_bin(pass, triangle);

@@ -4,9 +4,10 @@
 #include <stdlib.h>
 
 #include "draw/group.h"
+#include "draw/kernel.h"
 
-/* Faces that one triangle may become. */
-#define CLIPPED_FACES ACCEL_POLYGON_MAX
+/* Faces that may come at a time: a batch, or what one triangle is clipped to. */
+#define MORE_FACES (ACCEL_BATCH + ACCEL_POLYGON_MAX)
 
 /* Room for @count elements; what is there is kept. */
 static int group_grow(void *list, size_t size, uint32_t *room, size_t count)
@@ -64,8 +65,7 @@ static int group_reserve_edges(struct accel_group *group, size_t count)
 
 static int group_reserve_faces(struct accel_group *group, uint32_t triangles)
 {
-	size_t faces = (triangles < ACCEL_GROUP_FACES ? triangles : ACCEL_GROUP_FACES) +
-		       CLIPPED_FACES;
+	size_t faces = (triangles < ACCEL_GROUP_FACES ? triangles : ACCEL_GROUP_FACES) + MORE_FACES;
 	int err = 0;
 
 	if (faces > group->faces_room)
@@ -125,7 +125,7 @@ void accel_group_reset(struct accel_group *group)
 
 bool accel_group_full(const struct accel_group *group)
 {
-	return group->faces + CLIPPED_FACES > group->faces_room;
+	return group->faces + MORE_FACES > group->faces_room;
 }
 
 struct accel_face *accel_group_face(struct accel_group *group)

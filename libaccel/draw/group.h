@@ -85,7 +85,7 @@ int accel_group_reserve_parts(struct accel_group *group, uint32_t vertices, uint
 			      uint32_t parts);
 /* Forgets all faces, and that vertices of the mesh were needed. */
 void accel_group_reset(struct accel_group *group);
-/* Has it no room for what one more triangle may become? */
+/* Has it no room for another batch, and for what a clipped triangle may become? */
 bool accel_group_full(const struct accel_group *group);
 /* A new face, of which nothing is set. */
 struct accel_face *accel_group_face(struct accel_group *group);

@@ -42,6 +42,32 @@ struct accel_light_batch {
 	float unit[3][ACCEL_BATCH], viewer[3][ACCEL_BATCH]; /* of the loops: directions */
 };
 
+/* ---- setup_loop.h ---- */
+
+/* As struct accel_line, and struct accel_row. */
+struct accel_line_batch {
+	int32_t row[ACCEL_BATCH], x[ACCEL_BATCH];
+	uint32_t r[ACCEL_BATCH];
+	int32_t dx[ACCEL_BATCH], dy[ACCEL_BATCH], step[ACCEL_BATCH];
+	uint32_t m[ACCEL_BATCH];
+};
+
+struct accel_row_batch {
+	int32_t left[ACCEL_BATCH], right[ACCEL_BATCH];
+	uint32_t left_r[ACCEL_BATCH], right_r[ACCEL_BATCH];
+};
+
+struct accel_setup_batch {
+	int32_t x[3][ACCEL_BATCH], y[3][ACCEL_BATCH]; /* of triangles that have an area */
+	/* The rest is as in accel_setup. */
+	int32_t first[ACCEL_BATCH], turn[ACCEL_BATCH], end[ACCEL_BATCH];
+	uint32_t right_turns[ACCEL_BATCH], narrow[ACCEL_BATCH];
+	uint32_t covers[ACCEL_BATCH]; /* is a pixel of the first rows visible? */
+	struct accel_line_batch left, right, middle;
+	struct accel_row_batch row[ACCEL_SETUP_ROWS];
+	int32_t at[2][ACCEL_BATCH], at_r[2][ACCEL_BATCH]; /* of the loops */
+};
+
 /* ---- the loops, as one set of instructions has them ---- */
 
 struct accel_kernel {
@@ -58,6 +84,9 @@ struct accel_kernel {
 		      struct accel_light_batch *batch, int count);
 	void (*light_lamp)(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 			   int side, struct accel_light_batch *batch, int count);
+	/* The edges of @count triangles, and as many rows as accel_setup keeps. */
+	void (*setup)(struct accel_setup_batch *batch, int count,
+		      const struct accel_bounds *visible);
 };
 
 /* From the plainest on; NULL ends them. */

@@ -7,6 +7,7 @@
  */
 #include "draw/geometry_loop.h"
 #include "draw/lighting_loop.h"
+#include "draw/setup_loop.h"
 
 const struct accel_kernel KERNEL = {
 	.name = KERNEL_NAME,
@@ -14,4 +15,5 @@ const struct accel_kernel KERNEL = {
 	.transform = loop_transform,
 	.light = loop_light,
 	.light_lamp = loop_light_lamp,
+	.setup = loop_setup,
 };

@@ -111,19 +111,51 @@ static int mesh_visible_side(const struct accel_state *state, int64_t area)
 	return back && state->two_sided && state->lighting ? 1 : 0;
 }
 
-/* Puts a triangle into the group, unless it covers no pixel; then returns NULL. */
-static struct accel_face *mesh_put(struct accel_pass *pass, const struct accel_point point[3],
-				   int side)
-{
-	struct accel_face *face = accel_group_face(pass->group);
+/* Triangles that face the eye, whose edges are found together. */
+struct seen {
+	int count;
+	uint32_t vertex[ACCEL_BATCH][3], flat[ACCEL_BATCH];
+	int side[ACCEL_BATCH];
+	struct accel_setup_batch batch;
+};
 
-	if (accel_setup_points(&face->setup, point) &&
-	    accel_setup_draws(&face->setup, &pass->transform.window.visible)) {
-		face->side = side;
-		return face;
+static void mesh_see(struct seen *seen, const struct accel_point *const point[3],
+		     const uint32_t vertex[3], uint32_t flat, int side)
+{
+	const int i = seen->count++;
+
+	for (int j = 0; j < 3; j++) {
+		seen->batch.x[j][i] = point[j]->x;
+		seen->batch.y[j][i] = point[j]->y;
+		seen->vertex[i][j] = vertex[j];
 	}
-	pass->group->faces--;
-	return NULL;
+	seen->flat[i] = flat;
+	seen->side[i] = side;
+}
+
+/* Puts them into the group, unless they cover no pixel; returns how many do. */
+static int mesh_put(struct accel_pass *pass, struct seen *seen, bool clipped)
+{
+	const struct accel_bounds *visible = &pass->transform.window.visible;
+	const int count = seen->count;
+	int put = 0;
+
+	accel_kernel()->setup(&seen->batch, count, visible);
+	for (int i = 0; i < count; i++) {
+		struct accel_face *face = accel_group_face(pass->group);
+
+		if (!accel_setup_draws(&seen->batch, i, visible, &face->setup)) {
+			pass->group->faces--;
+			continue;
+		}
+		memcpy(face->vertex, seen->vertex[i], sizeof(face->vertex));
+		face->flat = seen->flat[i];
+		face->side = seen->side[i];
+		face->clipped = clipped;
+		put++;
+	}
+	seen->count = 0;
+	return put;
 }
 
 /* The signed area of a polygon on screen. */
@@ -137,31 +169,13 @@ static int64_t mesh_polygon_area(const struct accel_corner *polygon, int corners
 	return area;
 }
 
-/* A triangle of the fan that is left of a clipped one; false: it covers no pixel. */
-static bool mesh_put_corner(struct accel_pass *pass, const struct accel_vertex *const corner[3],
-			    const uint32_t vertex[3], uint32_t flat, int side)
-{
-	struct accel_point point[3];
-	struct accel_face *face;
-
-	for (int i = 0; i < 3; i++)
-		point[i] = (struct accel_point){ corner[i]->x, corner[i]->y };
-	face = mesh_put(pass, point, side);
-	if (!face)
-		return false;
-	memcpy(face->vertex, vertex, sizeof(face->vertex));
-	face->flat = flat;
-	face->clipped = true;
-	return true;
-}
-
 /* Its parts count as the one triangle that they are. */
 static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, int corners,
 			 struct accel_vertex *flat, int64_t area, int side)
 {
 	int apex = accel_clip_apex(polygon, corners);
 	uint32_t number[ACCEL_POLYGON_MAX], of_flat;
-	bool drawn = false;
+	struct seen fan = { .count = 0 };
 
 	for (int i = 0; i < corners; i++) {
 		accel_shading_vertex(pass, &polygon[i].vertex, side);
@@ -173,16 +187,20 @@ static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 	pass->group->vertex[of_flat] = *flat;
 	for (int i = 1; i + 1 < corners; i++) {
 		const int at[3] = { apex, (apex + i) % corners, (apex + i + 1) % corners };
-		const struct accel_vertex *const fan[3] = { &polygon[at[0]].vertex,
-							    &polygon[at[1]].vertex,
-							    &polygon[at[2]].vertex };
 		const uint32_t vertex[3] = { number[at[0]], number[at[1]], number[at[2]] };
-		int64_t part = accel_surface_area(fan[0], fan[1], fan[2]);
+		struct accel_point point[3];
+		int64_t part;
 
+		for (int j = 0; j < 3; j++)
+			point[j] = (struct accel_point){ polygon[at[j]].vertex.x,
+							 polygon[at[j]].vertex.y };
+		part = accel_setup_area(&point[0], &point[1], &point[2]);
 		if (part && (part > 0) == (area > 0))
-			drawn |= mesh_put_corner(pass, fan, vertex, of_flat, side);
+			mesh_see(&fan,
+				 (const struct accel_point *[3]){ &point[0], &point[1], &point[2] },
+				 vertex, of_flat, side);
 	}
-	if (drawn)
+	if (mesh_put(pass, &fan, true))
 		pass->stats->clipped++;
 	else
 		pass->stats->culled++;
@@ -252,33 +270,40 @@ static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], u
 	mesh_put_fan(pass, polygon, corners, &flat, area, side);
 }
 
+/* Draws what is in the group if it has no room for more. */
+static int mesh_flush(struct accel_pass *pass, struct seen *seen)
+{
+	const int count = seen->count;
+
+	pass->stats->culled += (uint64_t)(count - mesh_put(pass, seen, false));
+	return accel_group_full(pass->group) ? accel_face_draw_all(pass) : 0;
+}
+
 /* The last of @index is the vertex that gives a flat triangle its colour. */
-static void mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3])
+static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3], struct seen *seen)
 {
 	const struct accel_screen *const screen = pass->screen;
 	const struct accel_screen *a = &screen[index[0]], *b = &screen[index[1]];
 	const struct accel_screen *c = &screen[index[2]];
 	const uint32_t planes = (a->outside | b->outside | c->outside) & ACCEL_OUTSIDE_CLIP;
-	struct accel_face *face = NULL;
-	int side;
+	int side = -1, err;
 
-	pass->stats->triangles_in++;
 	if (!(a->outside & b->outside & c->outside)) {
 		if (planes) {
-			mesh_put_clipped(pass, index, planes);
-			return;
+			err = mesh_flush(pass, seen);
+			if (!err)
+				mesh_put_clipped(pass, index, planes);
+			return err;
 		}
 		side = mesh_visible_side(pass->state, accel_setup_area(&a->at, &b->at, &c->at));
-		if (side >= 0)
-			face = mesh_put(pass, (const struct accel_point[3]){ a->at, b->at, c->at },
-					side);
 	}
-	if (!face) {
+	if (side < 0) {
 		pass->stats->culled++;
-		return;
+		return 0;
 	}
-	memcpy(face->vertex, index, sizeof(face->vertex));
-	face->clipped = false;
+	mesh_see(seen, (const struct accel_point *[3]){ &a->at, &b->at, &c->at }, index, index[2],
+		 side);
+	return seen->count == ACCEL_BATCH ? mesh_flush(pass, seen) : 0;
 }
 
 /* The vertices of the triangle that element @i of the mesh begins. */
@@ -309,14 +334,17 @@ uint32_t accel_mesh_triangles(const struct accel_mesh *mesh)
 int accel_mesh_draw(struct accel_pass *pass, uint32_t first, uint32_t end)
 {
 	const uint32_t step = pass->mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
+	struct seen seen;
 	uint32_t index[3];
 	int err = 0;
 
+	seen.count = 0;
 	for (uint32_t i = first; i < end && !err; i++) {
+		pass->stats->triangles_in++;
 		mesh_triangle_index(pass->mesh, i * step, index);
-		mesh_put_triangle(pass, index);
-		if (accel_group_full(pass->group))
-			err = accel_face_draw_all(pass);
+		err = mesh_put_triangle(pass, index, &seen);
 	}
+	if (!err)
+		err = mesh_flush(pass, &seen);
 	return err ? err : accel_face_draw_all(pass);
 }

@@ -39,12 +39,13 @@ static void small_box_row(struct accel_small *small, const struct accel_row *row
 
 void accel_small_init(struct accel_small *small, const struct accel_setup *setup)
 {
-	struct accel_row row[ACCEL_SMALL_SIZE];
+	struct accel_row room[ACCEL_SMALL_SIZE];
+	const struct accel_row *row;
 
 	*small = (struct accel_small){ .fits = false };
 	if (setup->end - setup->first > ACCEL_SMALL_SIZE)
 		return;
-	accel_setup_rows(setup, setup->first, setup->end, row);
+	row = accel_setup_rows(setup, setup->first, setup->end, room);
 	for (int y = setup->first; y < setup->end; y++)
 		small_box_row(small, &row[y - setup->first], y);
 	small->fits = small->x0 < small->x1 && small->x1 - small->x0 <= ACCEL_SMALL_SIZE;

@@ -280,7 +280,30 @@ static void split_light(const struct accel_pass *pass, uint32_t first, int side)
 	accel_shading_vertices(pass, vertex, count, side);
 }
 
-/* Which of parts @first to @end - 1 draw anything, and are to be split; at most ACCEL_BATCH. */
+/* Finds which of parts @first to @end - 1, at most ACCEL_BATCH, draw anything. */
+static void split_set_up(const struct accel_pass *pass, uint32_t first, uint32_t end)
+{
+	const struct accel_bounds *visible = &pass->transform.window.visible;
+	const struct accel_group *group = pass->group;
+	struct accel_setup_batch batch;
+	int count = (int)(end - first);
+
+	for (int i = 0; i < count; i++)
+		for (int j = 0; j < 3; j++) {
+			const uint32_t vertex = group->part[first + (uint32_t)i].vertex[j];
+
+			batch.x[j][i] = group->vertex[vertex].x;
+			batch.y[j][i] = group->vertex[vertex].y;
+		}
+	accel_kernel()->setup(&batch, count, visible);
+	for (int i = 0; i < count; i++) {
+		struct accel_part *part = &group->part[first + (uint32_t)i];
+
+		part->draws = accel_setup_draws(&batch, i, visible, &part->setup);
+	}
+}
+
+/* Finds which of these are to be split. */
 static void split_look(const struct accel_pass *pass, uint32_t first, uint32_t end)
 {
 	const struct accel_group *group = pass->group;
@@ -288,18 +311,18 @@ static void split_look(const struct accel_pass *pass, uint32_t first, uint32_t e
 	int splits[ACCEL_BATCH], count = 0;
 	uint32_t number[ACCEL_BATCH];
 
+	split_set_up(pass, first, end);
 	for (uint32_t n = first; n < end; n++) {
-		struct accel_part *part = &group->part[n];
+		const struct accel_part *part = &group->part[n];
 
+		if (!part->draws)
+			continue;
 		for (int i = 0; i < 3; i++) {
 			patch[count].vertex[i] = &group->vertex[part->vertex[i]];
 			patch[count].edge[i] = &group->edge[part->edge[i]];
 		}
 		patch[count].side = part->side;
-		part->draws = accel_setup_init(&part->setup, patch[count].vertex) &&
-			      accel_setup_draws(&part->setup, &pass->transform.window.visible);
-		if (part->draws)
-			number[count++] = n;
+		number[count++] = n;
 	}
 	accel_split_decide(pass, patch, count, splits);
 	for (int i = 0; i < count; i++)

@@ -100,8 +100,7 @@ static int draw_triangle(struct fixture *f, struct accel_vertex *const vertex[3]
 		face->vertex[i] = accel_group_vertex(&f->group, 0);
 		f->group.vertex[face->vertex[i]] = *vertex[i];
 	}
-	if (accel_setup_init(&face->setup, corner) &&
-	    accel_setup_draws(&face->setup, &f->pass.transform.window.visible))
+	if (accel_setup_init(&face->setup, corner))
 		err = accel_face_draw_all(&f->pass);
 	accel_group_reset(&f->group);
 	return err;

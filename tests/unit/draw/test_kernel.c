@@ -133,6 +133,50 @@ static void light_is_the_same_with_all_instructions(void **unused)
 	}
 }
 
+/* Triangles of all sizes; vertices of parts lie in finer units than those of meshes. */
+static void any_triangle(uint64_t *seed, struct accel_setup_batch *batch, int i)
+{
+	int size = 1 << test_between(seed, 5, 22), unit = test_below(seed, 2) ? 64 : 1;
+	int x = test_between(seed, 0, 2048 << ACCEL_WINDOW_BITS);
+	int y = test_between(seed, 0, 2048 << ACCEL_WINDOW_BITS);
+
+	for (int j = 0; j < 3; j++) {
+		batch->x[j][i] = (x + test_between(seed, -size, size)) / unit * unit;
+		batch->y[j][i] = (y + test_between(seed, -size, size)) / unit * unit;
+	}
+}
+
+static void edges_are_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_setup_batch given, wanted, got;
+	uint64_t seed = test_seed();
+
+	(void)unused;
+	for (int n = 0; n < ROUNDS; n++) {
+		const struct accel_bounds visible = { test_between(&seed, 0, 500), 100, 1500,
+						      test_between(&seed, 100, 2048) };
+		int count = test_between(&seed, 1, ACCEL_BATCH + 1);
+
+		for (int i = 0; i < ACCEL_BATCH; i++)
+			any_triangle(&seed, &given, i);
+		wanted = given;
+		accel_kernel_baseline.setup(&wanted, count, &visible);
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = given;
+			accel_kernels[i]->setup(&got, count, &visible);
+			for (int j = 0; j < count; j++) {
+				struct accel_setup a = { 0 }, b = { 0 };
+
+				assert_int_equal(accel_setup_draws(&got, j, &visible, &a),
+						 accel_setup_draws(&wanted, j, &visible, &b));
+				assert_memory_equal(&a, &b, sizeof(a));
+			}
+		}
+	}
+}
+
 /* ---- streams ---- */
 
 static uint64_t checksum;
@@ -240,6 +284,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(vertices_are_the_same_with_all_instructions),
 		cmocka_unit_test(light_is_the_same_with_all_instructions),
+		cmocka_unit_test(edges_are_the_same_with_all_instructions),
 		cmocka_unit_test(streams_are_the_same_with_all_instructions),
 		cmocka_unit_test(the_library_takes_the_last_that_runs),
 	};

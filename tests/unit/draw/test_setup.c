@@ -157,7 +157,8 @@ static void check_row(const struct accel_vertex *const vertex[3], const struct a
 
 static void check_rows(const struct accel_vertex *const vertex[3], uint64_t *seed)
 {
-	struct accel_row row[ACCEL_BAND_ROWS];
+	struct accel_row room[ACCEL_BAND_ROWS];
+	const struct accel_row *row;
 	struct accel_setup setup;
 	struct box box = box_of(vertex);
 	int first, end;
@@ -167,7 +168,7 @@ static void check_rows(const struct accel_vertex *const vertex[3], uint64_t *see
 	for (first = setup.first; first < setup.end; first = end) {
 		end = first + test_between(seed, 1, ACCEL_BAND_ROWS + 1);
 		end = end < setup.end ? end : setup.end;
-		accel_setup_rows(&setup, first, end, row);
+		row = accel_setup_rows(&setup, first, end, room);
 		for (int y = first; y < end; y++)
 			check_row(vertex, &row[y - first], y);
 	}
