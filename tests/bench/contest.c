@@ -42,8 +42,11 @@ static int start(struct contest *contest, const struct scene *scene, enum contes
 	char message[PAINTER_MESSAGE];
 	int ret = painter_start(&contest->painter[way], &ways[way], scene, message);
 
-	if (!ret)
+	if (!ret) {
+		if (message[0])
+			printf("# %s: %s\n", contest_name(way), message);
 		return 0;
+	}
 	if (ret == -ENODEV && ways[way].driver) {
 		fprintf(stderr, "skip: %s: %s\n", contest_name(way), message);
 		return 0;

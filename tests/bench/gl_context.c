@@ -88,5 +88,7 @@ int gl_context_new(const char *driver, int width, int height, char message[PAINT
 	if (!make_target(width, height))
 		return missing(message, driver, "OpenGL has no framebuffer of this size",
 			       "libgl1-mesa-dri");
+	snprintf(message, PAINTER_MESSAGE, "%s, OpenGL %s", renderer,
+		 (const char *)glGetString(GL_VERSION));
 	return 0;
 }

@@ -9,7 +9,8 @@
 
 /*
  * Makes a context of @driver (llvmpipe, softpipe) current, which draws on colour and depth of its
- * own, of this size. Once in a process: the environment says which driver. -ENODEV after @message.
+ * own, of this size. Once in a process: the environment says which driver. @message: its version.
+ * -ENODEV after @message.
  */
 int gl_context_new(const char *driver, int width, int height, char message[PAINTER_MESSAGE]);
 

@@ -21,7 +21,7 @@ struct request {
 struct answer {
 	int error;
 	struct painter_cost cost;
-	char message[PAINTER_MESSAGE]; /* of the first, if it has an error */
+	char message[PAINTER_MESSAGE]; /* of the first: who draws, or what is missing */
 };
 
 static double seconds(clockid_t clock)
@@ -79,6 +79,7 @@ static int ask(struct painter *painter, const struct request *request, struct an
 
 static int begin(struct painter *painter, const struct scene *scene)
 {
+	const char *name = painter->way->name;
 	int ends[2];
 
 	if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends))
@@ -88,6 +89,7 @@ static int begin(struct painter *painter, const struct scene *scene)
 	painter->process = fork();
 	if (!painter->process) {
 		prctl(PR_SET_PDEATHSIG, SIGKILL);
+		prctl(PR_SET_NAME, name); /* for profiles: perf report --comm */
 		close(ends[0]);
 		painter->link = ends[1];
 		paint(painter, scene);
@@ -102,7 +104,7 @@ int painter_start(struct painter *painter, const struct way *way, const struct s
 		  char message[PAINTER_MESSAGE])
 {
 	size_t pixels = (size_t)scene->width * scene->height;
-	struct answer answer;
+	struct answer answer = { 0 };
 	int ret;
 
 	*painter = (struct painter){ .way = way, .pixels = pixels };
@@ -115,11 +117,10 @@ int painter_start(struct painter *painter, const struct way *way, const struct s
 	ret = begin(painter, scene);
 	if (!ret)
 		ret = hear(painter, &answer);
-	if (!ret)
-		return 0;
 	snprintf(message, PAINTER_MESSAGE, "%s",
-		 ret == -ENODEV ? answer.message : "its process has ended");
-	painter_stop(painter);
+		 !ret || ret == -ENODEV ? answer.message : "its process has ended");
+	if (ret)
+		painter_stop(painter);
 	return ret;
 }
 

@@ -16,8 +16,8 @@ struct way;
 /* What a painter does, in its process, which ends after the last call. */
 struct painter_ops {
 	/*
-	 * Makes what draws pictures of @scene's size. NULL after @message: what is missing, and
-	 * where to get it.
+	 * Makes what draws pictures of @scene's size. @message: who draws, if anybody else. NULL
+	 * after @message: what is missing, and where to get it.
 	 */
 	void *(*open)(const struct way *way, const struct scene *scene,
 		      char message[PAINTER_MESSAGE]);
@@ -56,8 +56,8 @@ struct painter_cost {
 
 /*
  * Starts a painter of pictures of @scene's size. It has a copy of the program's memory, so the mesh
- * of any scene that it is to draw must be there already. -ENODEV after @message: what it needs is
- * missing; another -errno after @message.
+ * of any scene that it is to draw must be there already. @message: who draws, or empty. -ENODEV
+ * after @message: what it needs is missing; another -errno after @message.
  */
 int painter_start(struct painter *painter, const struct way *way, const struct scene *scene,
 		  char message[PAINTER_MESSAGE]);
