@@ -31,7 +31,7 @@ keep_figures = mkdir -p $(BUILD)/bench && { tests/bench/retry $(BUILD)/bench/$(1
 	cat $(BUILD)/bench/$(1).txt && exit $$status
 
 .PHONY: bench bench-frame bench-growth bench-load bench-shade bench-setup figures frame-pictures plot test-plot \
-	run-bench-figures run-bench-run run-merge
+	run-bench-figures run-bench-run run-merge run-test_painter
 bench-frame: $(BUILD)/tests/bench/bench_frame ## frames a processor second against Mesa's drivers (SHORT=1: one round)
 	$(Q)$(call keep_figures,frame,$< $(SHORT_OPTION) $(MODELS))
 
@@ -78,8 +78,14 @@ run-bench-run:
 	$(call quiet,TEST,bench/run)
 	$(Q)tests/bench/test_run.sh $(BUILD)/tests/bench/run
 
+$(BUILD)/tests/bench/test_painter: private LIBS := -lcmocka $(SCENE_LIBS) -lepoxy -ldl
+$(BUILD)/tests/bench/test_painter: $(CONTEST_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
+run-test_painter: $(BUILD)/tests/bench/test_painter
+	$(call quiet,TEST,test_painter)
+	$(Q)$<
+
 run-bench-figures:
 	$(call quiet,TEST,bench/figures)
 	$(Q)tests/bench/test_figures.sh $(BUILD)/tests/bench/figures
 
-UNIT_TESTS += merge bench-run bench-figures
+UNIT_TESTS += merge bench-run bench-figures test_painter
