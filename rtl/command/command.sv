@@ -87,9 +87,9 @@ module command #(
   logic                  at_small, whole, at_end;
   logic [31:0]           left;
 
-  logic                  queue_valid, queue_ready;
-  gloss_pkg::render_op_t queue_op;
-  logic [StreamBits-1:0] queue_data;
+  logic                  queue_valid, queue_ready, queued_valid, queued_ready;
+  gloss_pkg::render_op_t queue_op, queued_op;
+  logic [StreamBits-1:0] queue_data, queued_data;
   logic                  triangle;
 
   logic                  packet_start, packet_drop, packet_done, packet_refuse, packet_take;
@@ -184,6 +184,20 @@ module command #(
     .valid_i(queue_valid),
     .ready_o(queue_ready),
     .data_i ({queue_op, queue_data}),
+    .valid_o(queued_valid),
+    .ready_i(queued_ready),
+    .data_o ({queued_op, queued_data})
+  );
+
+  // Block RAM's output comes late in its clock, and what becomes of an op is decided at once.
+  stream_register #(
+    .Width($bits(queue_op) + StreamBits)
+  ) u_queued (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(queued_valid),
+    .ready_o(queued_ready),
+    .data_i ({queued_op, queued_data}),
     .valid_o(render_valid_o),
     .ready_i(render_ready_i),
     .data_o ({render_op_o, render_data_o})
