@@ -59,6 +59,8 @@ module memory_copy #(
   logic [12:0] unacknowledged_q;   // bursts whose address was taken
   logic write_address_taken, write_burst_taken, write_addressed;
   logic write_busy, read_busy;
+  logic word_valid, word_ready;
+  logic [31:0] word;
 
   assign copy_ready_o = state_q == Idle;
   assign copy_idle_o = state_q == Idle;
@@ -113,6 +115,21 @@ module memory_copy #(
     .length_o(length_o)
   );
 
+  // Keeps the two ends of a way apart that else leads from the stream's port through to AXI's, and
+  // back.
+  stream_register #(
+    .Width(32)
+  ) u_word (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(copy_data_valid_i),
+    .ready_o(copy_data_ready_o),
+    .data_i (copy_data_i),
+    .valid_o(word_valid),
+    .ready_i(word_ready),
+    .data_o (word)
+  );
+
   memory_copy_write #(
     .PixelsPerClock(PixelsPerClock)
   ) u_write (
@@ -122,9 +139,9 @@ module memory_copy #(
     .word_i     (op_q.address[8:2]),
     .words_i    (op_q.words),
     .busy_o     (write_busy),
-    .valid_i    (copy_data_valid_i),
-    .ready_o    (copy_data_ready_o),
-    .data_i     (copy_data_i),
+    .valid_i    (word_valid),
+    .ready_o    (word_ready),
+    .data_i     (word),
     .addressed_i(write_addressed),
     .valid_o    (write_data_valid_o),
     .ready_i    (write_data_ready_i),

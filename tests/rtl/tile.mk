@@ -22,7 +22,7 @@ endef
 define tile_benches
 $(call tile_bench,fragment,$(1),$(2),,$(BUILD)/libaccel/model/fragment.o)
 $(call tile_bench,tile,$(1),$(2),rtl/lib/ram_1r1w.sv rtl/lib/ram_fifo.sv rtl/lib/stream_register.sv)
-$(call tile_bench,memory,$(1),$(2),rtl/lib/ram_1r1w.sv rtl/lib/axi_rules.sv)
+$(call tile_bench,memory,$(1),$(2),rtl/lib/ram_1r1w.sv rtl/lib/axi_rules.sv rtl/lib/stream_register.sv)
 endef
 $(foreach core,$(TILE_ALL_CORES),$(eval $(call tile_benches,$(firstword $(subst -, ,$(core))),$(lastword $(subst -, ,$(core))))))
 
