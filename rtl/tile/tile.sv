@@ -121,6 +121,11 @@ module tile #(
   logic [63:0] clear_colour, clear_depth;
   logic [2*Width-1:0] colour, depth;
 
+  // tile_write
+  logic draw_read_en, draw_write_en, draw_write_bank, forward;
+  logic [RowBits-1:0] draw_write_row;
+  logic [Width-1:0] draw_colour, draw_depth, forward_colour, forward_depth;
+
   assign tile_idle_o = begun == done;
   assign store_bank = read[0];
   assign response_count_o = 4'(PixelsPerClock);
@@ -254,6 +259,31 @@ module tile #(
     .store_row_i         (store_row)
   );
 
+  tile_write #(
+    .Width  (Width),
+    .RowBits(RowBits)
+  ) u_write (
+    .clk_i           (clk_i),
+    .rst_ni          (rst_ni),
+    .read_en_i       (read_en_i),
+    .read_bank_i     (read_bank_i),
+    .read_row_i      (read_row_i),
+    .write_en_i      (write_en_i),
+    .write_bank_i    (write_bank_i),
+    .write_row_i     (write_row_i),
+    .write_colour_i  (write_colour_i),
+    .write_depth_i   (write_depth_i),
+    .read_en_o       (draw_read_en),
+    .write_en_o      (draw_write_en),
+    .write_bank_o    (draw_write_bank),
+    .write_row_o     (draw_write_row),
+    .write_colour_o  (draw_colour),
+    .write_depth_o   (draw_depth),
+    .forward_o       (forward),
+    .forward_colour_o(forward_colour),
+    .forward_depth_o (forward_depth)
+  );
+
   for (genvar b = 0; b < 2; b++) begin : gen_bank
     tile_buffer #(
       .Width   (Width),
@@ -272,12 +302,12 @@ module tile #(
       .load_mark_i       (load_mark),
       .load_colour_i     (load_colour),
       .load_depth_i      (load_depth),
-      .draw_read_en_i    (read_en_i && read_bank_i == b),
+      .draw_read_en_i    (draw_read_en && read_bank_i == b),
       .draw_read_row_i   (read_row_i),
-      .draw_write_en_i   (write_en_i && write_bank_i == b),
-      .draw_write_row_i  (write_row_i),
-      .draw_colour_i     (write_colour_i),
-      .draw_depth_i      (write_depth_i),
+      .draw_write_en_i   (draw_write_en && draw_write_bank == b),
+      .draw_write_row_i  (draw_write_row),
+      .draw_colour_i     (draw_colour),
+      .draw_depth_i      (draw_depth),
       .draw_done_i       (end_i && end_bank_i == b),
       .store_colour_en_i (store_read_en && !part_depth && store_bank == b),
       .store_depth_en_i  (store_read_en && part_depth && store_bank == b),
@@ -299,21 +329,24 @@ module tile #(
     .Width   (Width),
     .MarkBits(MarkBits)
   ) u_row (
-    .clk_i         (clk_i),
-    .bank_i        (read_bank_i),
-    .mark_i        (mark),
-    .clear_colour_i(clear_colour),
-    .clear_depth_i (clear_depth),
-    .colour_i      (colour),
-    .depth_i       (depth),
-    .colour_mark_i (colour_mark),
-    .depth_mark_i  (depth_mark),
-    .clear_colour_o(clear_colour_o),
-    .clear_depth_o (clear_depth_o),
-    .colour_o      (row_colour_o),
-    .depth_o       (row_depth_o),
-    .colour_fresh_o(row_colour_fresh_o),
-    .depth_fresh_o (row_depth_fresh_o)
+    .clk_i           (clk_i),
+    .bank_i          (read_bank_i),
+    .mark_i          (mark),
+    .clear_colour_i  (clear_colour),
+    .clear_depth_i   (clear_depth),
+    .colour_i        (colour),
+    .depth_i         (depth),
+    .colour_mark_i   (colour_mark),
+    .depth_mark_i    (depth_mark),
+    .forward_i       (forward),
+    .forward_colour_i(forward_colour),
+    .forward_depth_i (forward_depth),
+    .clear_colour_o  (clear_colour_o),
+    .clear_depth_o   (clear_depth_o),
+    .colour_o        (row_colour_o),
+    .depth_o         (row_depth_o),
+    .colour_fresh_o  (row_colour_fresh_o),
+    .depth_fresh_o   (row_depth_fresh_o)
   );
 
   tile_store #(

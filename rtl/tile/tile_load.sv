@@ -5,6 +5,9 @@
 // The tiles of a bank are marked 1, 2, ...; after the last mark all rows are given mark 0, which no
 // tile has, and the next tile has mark 1 again. That is done beside a load, or else as soon as the
 // bank is free: mostly no tile waits for it.
+//
+// Whether a row is free is found out a clock before, and rows are written a clock after: the way
+// from tile_store's counter to the enables of all block RAM would be too long for one.
 module tile_load #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4,
@@ -28,7 +31,8 @@ module tile_load #(
   input  logic                load_data_valid_i,
   input  logic [Width-1:0]    load_data_i,
 
-  // to the bank: all but data and row only for bank_o
+  // to the bank: all but data and row only for bank_o; a write is there in the clock of done_o at
+  // the latest
   output logic                bank_o,
   input  logic                bank_drawn_i,
   input  logic                bank_stored_i,
@@ -61,8 +65,9 @@ module tile_load #(
   logic [RowBits-1:0] row_q;
   logic [31:0] colour_q, depth_q;
 
-  logic take, exhausted, write, last, data_valid;
-  logic bank_free, behind, colour_free, depth_free;
+  logic take, exhausted, colour_en, depth_en, write, last, data_valid;
+  logic bank_free, behind, colour_free_q, depth_free_q;
+  logic [Width-1:0] data;
 
   logic room;  // always: tile_fetch leaves room for all it asks for
 
@@ -77,15 +82,25 @@ module tile_load #(
     .data_i (load_data_i),
     .valid_o(data_valid),
     .ready_i(beat_taken_o),
-    .data_o (data_o)
+    .data_o (data)
   );
 
   assign bank_free = !bank_drawn_i && !bank_stored_i;
-  assign behind = row_q < store_row_i;
-  assign colour_free = bank_free || (bank_stored_i && store_bank_i == bank_q
-      && (store_colour_free_i || (store_colour_reads_i && behind)));
-  assign depth_free = bank_free || (bank_stored_i && store_bank_i == bank_q
-      && (store_depth_free_i || (store_depth_reads_i && behind)));
+  // The next row too, which may be the one that is asked for when this is known.
+  assign behind = {1'b0, row_q} + 1'b1 < {1'b0, store_row_i};
+
+  // What is free stays so until the bank is handed over.
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      colour_free_q <= 1'b0;
+      depth_free_q <= 1'b0;
+    end else begin
+      colour_free_q <= !done_o && (bank_free || (bank_stored_i && store_bank_i == bank_q
+          && (store_colour_free_i || (store_colour_reads_i && behind))));
+      depth_free_q <= !done_o && (bank_free || (bank_stored_i && store_bank_i == bank_q
+          && (store_depth_free_i || (store_depth_reads_i && behind))));
+    end
+  end
 
   // Marks have run out, and rows may still have any.
   assign exhausted = bank_mark_i == '1 && !swept_q;
@@ -94,21 +109,18 @@ module tile_load #(
   assign plan_ready_o = state_q == Idle && (!exhausted || plan_colour_load_i || plan_depth_load_i);
 
   assign bank_o = bank_q;
-  assign row_o = row_q;
   assign mark_o = bank_mark_i == '1 ? MarkBits'(1) : bank_mark_i + 1'b1;
-  assign colour_mark_o = state_q == Colour ? mark_o : '0;
-  assign depth_mark_o = state_q == Depth ? mark_o : '0;
   assign colour_o = colour_q;
   assign depth_o = depth_q;
 
-  assign write = colour_en_o || depth_en_o;
+  assign write = colour_en || depth_en;
   assign last = write && row_q == '1;
   assign beat_taken_o = write && state_q != Sweep;
 
   always_comb begin
     state_d = state_q;
-    colour_en_o = 1'b0;
-    depth_en_o = 1'b0;
+    colour_en = 1'b0;
+    depth_en = 1'b0;
     done_o = 1'b0;
 
     unique case (state_q)
@@ -117,19 +129,19 @@ module tile_load #(
         else if (exhausted && (plan_valid_i || bank_free)) state_d = Sweep;
       end
       Sweep: begin
-        colour_en_o = colour_free && depth_free;
-        depth_en_o = colour_en_o;
+        colour_en = colour_free_q && depth_free_q;
+        depth_en = colour_en;
         if (last) state_d = Idle;
       end
       // While marks are exhausted, the other part is swept beside the first one that is loaded.
       Colour: begin
-        colour_en_o = data_valid && colour_free && (depth_free || !exhausted);
-        depth_en_o = colour_en_o && exhausted;
+        colour_en = data_valid && colour_free_q && (depth_free_q || !exhausted);
+        depth_en = colour_en && exhausted;
         if (last) state_d = depth_load_q ? Depth : Done;
       end
       Depth: begin
-        depth_en_o = data_valid && depth_free && (colour_free || !exhausted);
-        colour_en_o = depth_en_o && exhausted;
+        depth_en = data_valid && depth_free_q && (colour_free_q || !exhausted);
+        colour_en = depth_en && exhausted;
         if (last) state_d = Done;
       end
       Done: begin
@@ -146,6 +158,10 @@ module tile_load #(
       depth_q <= plan_depth_i;
       depth_load_q <= plan_depth_load_i;
     end
+    row_o <= row_q;
+    data_o <= data;
+    colour_mark_o <= state_q == Colour ? mark_o : '0;
+    depth_mark_o <= state_q == Depth ? mark_o : '0;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -154,8 +170,12 @@ module tile_load #(
       bank_q <= 1'b0;
       swept_q <= 1'b0;
       row_q <= '0;
+      colour_en_o <= 1'b0;
+      depth_en_o <= 1'b0;
     end else begin
       state_q <= state_d;
+      colour_en_o <= colour_en;
+      depth_en_o <= depth_en;
       if (write) row_q <= row_q + 1'b1;
       if (last) swept_q <= 1'b1;
       if (done_o) begin

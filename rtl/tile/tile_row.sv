@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brings a row that fragment reads from either bank to it: clear values one clock after the read,
 // the row from a register two clocks after it. Marks are compared behind that register, because
-// block RAM's output comes late in its clock.
+// block RAM's output comes late in its clock. A row that is being written when it would be read
+// comes from tile_write instead.
 module tile_row #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4
@@ -19,6 +20,11 @@ module tile_row #(
   input  logic [2*MarkBits-1:0] colour_mark_i,
   input  logic [2*MarkBits-1:0] depth_mark_i,
 
+  // from tile_write, one clock after the read
+  input  logic                  forward_i,
+  input  logic [Width-1:0]      forward_colour_i,
+  input  logic [Width-1:0]      forward_depth_i,
+
   // to fragment
   output logic [31:0]           clear_colour_o,
   output logic [31:0]           clear_depth_o,
@@ -28,7 +34,7 @@ module tile_row #(
   output logic                  depth_fresh_o
 );
 
-  logic bank_q;
+  logic bank_q, forward_q;
   logic [MarkBits-1:0] mark_q, colour_mark_q, depth_mark_q;
 
   always_ff @(posedge clk_i) begin
@@ -39,11 +45,12 @@ module tile_row #(
     mark_q <= mark_i[bank_q*MarkBits+:MarkBits];
     colour_mark_q <= colour_mark_i[bank_q*MarkBits+:MarkBits];
     depth_mark_q <= depth_mark_i[bank_q*MarkBits+:MarkBits];
-    colour_o <= colour_i[bank_q*Width+:Width];
-    depth_o <= depth_i[bank_q*Width+:Width];
+    colour_o <= forward_i ? forward_colour_i : colour_i[bank_q*Width+:Width];
+    depth_o <= forward_i ? forward_depth_i : depth_i[bank_q*Width+:Width];
+    forward_q <= forward_i;
   end
 
-  assign colour_fresh_o = colour_mark_q == mark_q;
-  assign depth_fresh_o = depth_mark_q == mark_q;
+  assign colour_fresh_o = forward_q || colour_mark_q == mark_q;
+  assign depth_fresh_o = forward_q || depth_mark_q == mark_q;
 
 endmodule
