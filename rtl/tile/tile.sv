@@ -116,7 +116,7 @@ module tile #(
   logic colour_reads, colour_free, depth_reads, depth_free;
 
   // the banks
-  logic [1:0] drawn, stored;
+  logic [1:0] drawn, stored, mark_last;
   logic [2*MarkBits-1:0] mark, colour_mark, depth_mark;
   logic [63:0] clear_colour, clear_depth;
   logic [2*Width-1:0] colour, depth;
@@ -241,6 +241,7 @@ module tile #(
     .bank_drawn_i        (drawn[load_bank]),
     .bank_stored_i       (stored[load_bank]),
     .bank_mark_i         (mark[load_bank*MarkBits+:MarkBits]),
+    .bank_mark_last_i    (mark_last[load_bank]),
     .colour_en_o         (load_colour_en),
     .depth_en_o          (load_depth_en),
     .row_o               (load_row),
@@ -316,6 +317,7 @@ module tile #(
       .drawn_o           (drawn[b]),
       .stored_o          (stored[b]),
       .mark_o            (mark[b*MarkBits+:MarkBits]),
+      .mark_last_o       (mark_last[b]),
       .clear_colour_o    (clear_colour[b*32+:32]),
       .clear_depth_o     (clear_depth[b*32+:32]),
       .colour_o          (colour[b*Width+:Width]),

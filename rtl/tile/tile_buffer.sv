@@ -48,6 +48,7 @@ module tile_buffer #(
   output logic                drawn_o,
   output logic                stored_o,
   output logic [MarkBits-1:0] mark_o,
+  output logic                mark_last_o,  // it is the last there is
   output logic [31:0]         clear_colour_o,
   output logic [31:0]         clear_depth_o,
   output logic [Width-1:0]    colour_o,
@@ -56,7 +57,7 @@ module tile_buffer #(
   output logic [MarkBits-1:0] depth_mark_o
 );
 
-  logic drawn_q, stored_q;
+  logic drawn_q, stored_q, mark_last_q;
   logic [MarkBits-1:0] mark_q;
   logic [31:0] clear_colour_q, clear_depth_q;
   logic [RowBits-1:0] read_row, write_row;
@@ -64,6 +65,7 @@ module tile_buffer #(
   assign drawn_o = drawn_q;
   assign stored_o = stored_q;
   assign mark_o = mark_q;
+  assign mark_last_o = mark_last_q;
   assign clear_colour_o = clear_colour_q;
   assign clear_depth_o = clear_depth_q;
 
@@ -109,10 +111,12 @@ module tile_buffer #(
       stored_q <= 1'b0;
       // The last one: the rows hold anything, so they are swept before the first tile.
       mark_q <= '1;
+      mark_last_q <= 1'b1;
     end else begin
       if (load_done_i) begin
         drawn_q <= 1'b1;
         mark_q <= load_mark_i;
+        mark_last_q <= load_mark_i == '1;
       end else if (draw_done_i) begin
         drawn_q <= 1'b0;
         stored_q <= 1'b1;

@@ -43,6 +43,7 @@ module tile_fetch #(
   logic [YBits-1:0] row_q;
   logic [RoomBits-1:0] room_q;  // beats of the FIFO that were not asked for
   logic [3:0] ahead;
+  logic taken_q;
   logic take, request, last;
 
   assign ahead = begin_after_i - done_i;
@@ -74,6 +75,7 @@ module tile_fetch #(
       depth_q <= 1'b0;
       row_q <= '0;
       room_q <= RoomBits'(FifoBeats);
+      taken_q <= 1'b0;
     end else begin
       if (take) begin
         plan_q <= 1'b1;
@@ -85,7 +87,9 @@ module tile_fetch #(
         if (last && !colour_q) depth_q <= 1'b0;
       end
       if (request) row_q <= row_q + 1'b1;
-      room_q <= room_q - (request ? RoomBits'(RowBeats) : '0) + RoomBits'(beat_taken_i);
+      // Whether a beat leaves is known late in its clock; room for it may be known later.
+      taken_q <= beat_taken_i;
+      room_q <= room_q - (request ? RoomBits'(RowBeats) : '0) + RoomBits'(taken_q);
     end
   end
 

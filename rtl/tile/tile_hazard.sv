@@ -56,7 +56,7 @@ module tile_hazard #(
 
   logic signed [AddressBits:0] distance_q, minuend, subtrahend;
   logic [PitchBits-1:0] load_pitch, pitch_q;
-  logic same_pitch_q;
+  logic same_pitch_q, zero_q;  // zero_q: distance_q is
   logic [StepBits-1:0] step_q;
   logic [AddressBits-1:0] load_address;
 
@@ -102,8 +102,8 @@ module tile_hazard #(
         state_d = Walk;
       end
       Walk: begin
-        conflict = distance_q == 0 || (distance_q < 0 && !same_pitch_q);
-        if (distance_q <= 0 || step_q == '1) begin
+        conflict = zero_q || (distance_q < 0 && !same_pitch_q);
+        if (zero_q || distance_q < 0 || step_q == '1) begin
           next_pair = 1'b1;
           state_d = Pick;
         end
@@ -116,6 +116,7 @@ module tile_hazard #(
   always_ff @(posedge clk_i) begin
     if (take) op_q <= tile_begin_i;
     distance_q <= minuend - subtrahend;
+    zero_q <= minuend == subtrahend;
     step_q <= state_q == Walk ? step_q + 1'b1 : '0;
     if (state_q == Sign) begin
       pitch_q <= distance_q < 0 ? load_pitch : store_pitch_i;

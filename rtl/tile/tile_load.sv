@@ -37,6 +37,7 @@ module tile_load #(
   input  logic                bank_drawn_i,
   input  logic                bank_stored_i,
   input  logic [MarkBits-1:0] bank_mark_i,
+  input  logic                bank_mark_last_i,
   output logic                colour_en_o,
   output logic                depth_en_o,
   output logic [RowBits-1:0]  row_o,
@@ -103,13 +104,13 @@ module tile_load #(
   end
 
   // Marks have run out, and rows may still have any.
-  assign exhausted = bank_mark_i == '1 && !swept_q;
+  assign exhausted = bank_mark_last_i && !swept_q;
 
   assign take = plan_valid_i && plan_ready_o;
   assign plan_ready_o = state_q == Idle && (!exhausted || plan_colour_load_i || plan_depth_load_i);
 
   assign bank_o = bank_q;
-  assign mark_o = bank_mark_i == '1 ? MarkBits'(1) : bank_mark_i + 1'b1;
+  assign mark_o = bank_mark_last_i ? MarkBits'(1) : bank_mark_i + 1'b1;
   assign colour_o = colour_q;
   assign depth_o = depth_q;
 
