@@ -18,27 +18,30 @@ module memory_burst #(
   output logic [3:0]          length_o  // beats less one
 );
 
-  logic valid_q, final_burst;
+  logic valid_q, final_q;   // final_q: it is the range's last burst
   logic [BeatBits-1:0] beat_q, last_q;
+  logic [BeatBits-5:0] next;
 
-  assign final_burst = beat_q[BeatBits-1:4] == last_q[BeatBits-1:4];
+  assign next = beat_q[BeatBits-1:4] + 1'b1;
   assign valid_o = valid_q;
   assign beat_o = beat_q;
-  assign length_o = (final_burst ? last_q[3:0] : 4'd15) - beat_q[3:0];
+  assign length_o = (final_q ? last_q[3:0] : 4'd15) - beat_q[3:0];
 
   always_ff @(posedge clk_i) begin
     if (start_i) begin
       beat_q <= first_i;
       last_q <= last_i;
+      final_q <= first_i[BeatBits-1:4] == last_i[BeatBits-1:4];
     end else if (valid_q && ready_i) begin
-      beat_q <= {beat_q[BeatBits-1:4] + 1'b1, 4'd0};
+      beat_q <= {next, 4'd0};
+      final_q <= next == last_q[BeatBits-1:4];
     end
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= 1'b0;
     else if (start_i) valid_q <= 1'b1;
-    else if (ready_i && final_burst) valid_q <= 1'b0;
+    else if (ready_i && final_q) valid_q <= 1'b0;
   end
 
 endmodule
