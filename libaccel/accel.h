@@ -175,9 +175,9 @@ int accel_device_list(accel_device_list_fn found, void *data);
  *   tile=32 or 64	pixels of a tile's side; 64 if not given
  *   lanes=1, 2, 4, 8	pixels a clock, "sim:" only; 8 if not given
  *   memory=BYTES	board memory, a multiple of 4096 up to 2^32; 256 MiB if not given
- *   threads=N	that draw tiles, 1 to 64, "model:" only; as many as there are processors if not
- *			given. They make no difference but in time, and are started when a job has
- *			tiles for them.
+ *   threads=N	that set up meshes and that draw tiles, 1 to 64, "model:" only; as many as
+ *			there are processors if not given, and for meshes on all other devices. They
+ *			make no difference but in time, and are started when there is work for them.
  *   stalls=SEED	"sim:" only: its ports stall at random; never if 0, the default
  *
  * The plugin of "sim:" is looked for in the directory $GLOSS_SIM_PATH, then in

@@ -268,7 +268,7 @@ struct accel_draw_stats {
 /*
  * A draw collects one frame at a time, and keeps the memory that this took for the next: its
  * stream, 16 bytes for each vertex of the largest mesh, and for triangles that are worked together
- * 900 bytes each, up to 8 MB.
+ * 900 bytes each, up to 8 MB for each thread that sets up meshes.
  */
 int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
 /* Forgets a frame that was not submitted. */
@@ -303,7 +303,8 @@ int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *clear);
 int accel_draw_discard(struct accel_draw *draw, unsigned int planes);
 
 /*
- * Draws @mesh on the frame's target as @state says.
+ * Draws @mesh on the frame's target as @state says. Threads of the library, which end with @draw,
+ * help with meshes of more than some thousand triangles; they use nothing after the call.
  * -EINVAL: no frame was begun; an index out of range; a coordinate that is not finite; no
  * position array; an array or a topology that is not drawn so far; a size that is not set, or
  * a @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn

@@ -31,6 +31,7 @@ struct accel_device {
 	const struct accel_transport_ops *ops;
 	void *state; /* the transport's */
 	struct accel_transport_info info;
+	unsigned int threads;     /* that may work on a mesh, with the calling one */
 	accel_message_fn message; /* may be NULL */
 	void *message_data;
 	struct accel_dump *dump; /* NULL: no job is written to files */

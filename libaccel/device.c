@@ -56,6 +56,7 @@ static int device_try(struct accel_device *device, const struct accel_transport_
 		return err;
 	device->ops = ops;
 	ops->info(device->state, &device->info);
+	device->threads = device->info.threads ? device->info.threads : accel_thread_processors();
 	if (device->info.version == GLOSS_VERSION)
 		return 0;
 	accel_transport_say(error, "the board speaks version %u of the stream, not %u",

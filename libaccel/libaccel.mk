@@ -27,7 +27,7 @@ endif
 ACCEL_SOURCES := $(addprefix libaccel/, device.c buffer.c target.c state.c stream.c fence.c dump.c \
 		message.c sized.c version.c) \
 	$(addprefix libaccel/transport/, transport.c model.c tile_threads.c sim.c plugin.c engine.c job_table.c \
-		pool.c range.c option.c thread.c) $(DRM_SOURCES) $(USB_SOURCES) $(DRAW_SOURCES)
+		pool.c range.c option.c thread.c workers.c) $(DRM_SOURCES) $(USB_SOURCES) $(DRAW_SOURCES)
 ACCEL_OBJS := $(ACCEL_SOURCES:%.c=$(BUILD)/%.o) $(MODEL_OBJS)
 ACCEL_LIBS := -lm -ldl -pthread $(DRM_LIBS) $(USB_LIBS)
 ACCEL_VERSION := $(shell cat VERSION)

@@ -36,6 +36,7 @@ static void bin_forget_records(struct accel_bin *bin)
 {
 	for (int i = 0; i < bin->columns * bin->rows; i++)
 		bin->tile[i] = (struct accel_tile){ .drawn = false };
+	bin->drawn = NULL;
 	bin->block_now = bin->block;
 	bin->block_used = 0;
 	bin->records = 0;
@@ -67,6 +68,7 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height)
 	bin->columns = columns;
 	bin->rows = rows;
 	bin->discard = 0;
+	bin->frame++;
 	bin_forget_records(bin);
 	return 0;
 }
@@ -140,7 +142,7 @@ uint32_t accel_bin_packets(uint32_t words[ACCEL_STATE_WORDS], const struct accel
 }
 
 /* Puts the packets that make @state of what the tile has now; there is room for them. */
-static void bin_tile_state(const struct accel_bin *bin, struct accel_tile *tile, uint32_t *words,
+static void bin_tile_state(struct accel_bin *bin, struct accel_tile *tile, uint32_t *words,
 			   const struct accel_tile_state *state)
 {
 	if (tile->drawn) {
@@ -149,6 +151,8 @@ static void bin_tile_state(const struct accel_bin *bin, struct accel_tile *tile,
 		tile->drawn = true;
 		tile->clear = bin->clear;
 		tile->first = *state;
+		tile->next = bin->drawn;
+		bin->drawn = tile;
 	}
 	tile->now = *state;
 }
@@ -349,5 +353,62 @@ int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *trian
 		band.row = accel_setup_rows(setup, band.first, band.end, room);
 		err = bin_band_draw(bin, triangle, &band);
 	}
+	return err;
+}
+
+/* ---- parts ---- */
+
+int accel_bin_part_begin(struct accel_bin *part, const struct accel_bin *bin)
+{
+	int err = 0;
+
+	if (part->frame != bin->frame)
+		err = accel_bin_begin(part, bin->width, bin->height);
+	if (err)
+		return err;
+	part->frame = bin->frame;
+	part->state = bin->state;
+	part->visible = bin->visible;
+	return 0;
+}
+
+/* Moves the records of a part's tile, which all have one state, behind those of the bin's. */
+static int bin_tile_append(struct accel_bin *bin, struct accel_tile *tile,
+			   const struct accel_tile *part)
+{
+	uint32_t packets[ACCEL_STATE_WORDS], *words = packets;
+
+	if (tile->drawn && accel_bin_packets(packets, &tile->now, &part->first)) {
+		words = bin_tile_room(bin, tile, ACCEL_STATE_WORDS);
+		if (!words)
+			return -ENOMEM;
+	}
+	bin_tile_state(bin, tile, words, &part->first);
+	tile->uses_colour |= part->uses_colour;
+	tile->uses_depth |= part->uses_depth;
+	tile->writes_depth |= part->writes_depth;
+	if (tile->last)
+		tile->last->next = part->chunk;
+	else
+		tile->chunk = part->chunk;
+	tile->last = part->last;
+	tile->words += part->words;
+	return 0;
+}
+
+int accel_bin_append(struct accel_bin *bin, struct accel_bin *part)
+{
+	struct accel_tile *from, *next;
+	int err = 0;
+
+	for (from = part->drawn; from; from = next) {
+		next = from->next;
+		if (!err)
+			err = bin_tile_append(bin, &bin->tile[from - part->tile], from);
+		*from = (struct accel_tile){ .drawn = false };
+	}
+	part->drawn = NULL;
+	bin->records += part->records;
+	part->records = 0;
 	return err;
 }

@@ -36,6 +36,7 @@ struct accel_tile {
 	bool uses_colour, uses_depth, writes_depth;
 	struct accel_tile_clear clear;
 	struct accel_tile_state first, now; /* that its records begin, end with */
+	struct accel_tile *next;            /* of those drawn on */
 };
 
 struct accel_bin {
@@ -44,9 +45,11 @@ struct accel_bin {
 	int columns, rows;       /* of tiles */
 	struct accel_tile *tile; /* row by row */
 	int tiles_room;
+	struct accel_tile *drawn; /* the last that was drawn on first; ->next leads to all others */
 	struct accel_tile_clear clear;
 	unsigned int discard;          /* planes that need not be stored, of ACCEL_CLEAR_* */
 	struct accel_tile_state state; /* of what is drawn next; its scissor is per tile */
+	uint64_t frame;                /* number of the frame; a part has that of its bin */
 	struct accel_bounds visible;
 	struct accel_block *block, *block_now;
 	int block_used; /* chunks of block_now */
@@ -62,6 +65,13 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height);
 /* After -ENOMEM the records of some tiles may be missing. */
 int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear);
 int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle);
+/*
+ * @part takes triangles that @bin is to have after its own, perhaps in another thread. Append moves
+ * them; their memory stays the part's, until the same call for the next frame. Within a frame a
+ * part is used again and again, each time after begin. -ENOMEM.
+ */
+int accel_bin_part_begin(struct accel_bin *part, const struct accel_bin *bin);
+int accel_bin_append(struct accel_bin *bin, struct accel_bin *part);
 /* The word of a scissor packet. */
 uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1);
 /* Packets that turn one state into another; returns their words. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "draw/content.h"
-#include "draw/group.h"
+#include "draw/ranges.h"
 
 struct accel_draw {
 	struct accel_device *device;
@@ -14,10 +14,7 @@ struct accel_draw {
 	struct accel_target target;    /* of this frame, a reference to each of its parts */
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
-	struct accel_screen
-		*screen; /* of a mesh's vertices; kept from mesh to mesh, as is the group */
-	uint32_t screens;
-	struct accel_group group;
+	struct accel_ranges ranges; /* of a mesh; memory and threads are kept from mesh to mesh */
 };
 
 int accel_draw_new(struct accel_device *device, struct accel_draw **out)
@@ -27,14 +24,19 @@ int accel_draw_new(struct accel_device *device, struct accel_draw **out)
 
 	if (!draw)
 		return -ENOMEM;
-	err = accel_stream_new(device, &draw->stream);
+	err = accel_ranges_init(&draw->ranges, device->threads, (int)device->info.tile_size);
 	if (err)
 		goto err_free;
+	err = accel_stream_new(device, &draw->stream);
+	if (err)
+		goto err_free_ranges;
 	draw->device = accel_device_ref(device);
 	accel_bin_init(&draw->bin, (int)device->info.tile_size);
 	*out = draw;
 	return 0;
 
+err_free_ranges:
+	accel_ranges_fini(&draw->ranges, false);
 err_free:
 	free(draw);
 	return err;
@@ -65,10 +67,9 @@ void accel_draw_free(struct accel_draw *draw)
 		return;
 	draw_frame_empty(draw);
 	accel_bin_free(&draw->bin);
+	accel_ranges_fini(&draw->ranges, accel_device_is_inherited(draw->device));
 	accel_stream_free(draw->stream);
 	accel_device_unref(draw->device);
-	free(draw->screen);
-	accel_group_free(&draw->group);
 	free(draw);
 }
 
@@ -198,34 +199,6 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 	return 0;
 }
 
-static int draw_reserve(struct accel_draw *draw, const struct accel_mesh *mesh)
-{
-	struct accel_screen *screen;
-	size_t size;
-
-	if (mesh->vertices > draw->screens) {
-		if (__builtin_mul_overflow(mesh->vertices, sizeof(*screen), &size))
-			return -ENOMEM;
-		screen = realloc(draw->screen, size);
-		if (!screen)
-			return -ENOMEM;
-		draw->screen = screen;
-		draw->screens = mesh->vertices;
-	}
-	return accel_group_reserve(&draw->group, mesh->vertices, accel_mesh_triangles(mesh));
-}
-
-/* -EINVAL, and a message: something is not finite. */
-static int draw_transform(const struct accel_pass *pass)
-{
-	uint32_t vertices = pass->mesh->vertices, good = accel_mesh_transform(pass, 0, vertices);
-
-	if (good == vertices)
-		return 0;
-	accel_device_message(pass->device, "vertex %u of the mesh is not finite", good);
-	return -EINVAL;
-}
-
 static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *state,
 			 const struct accel_mesh *mesh)
 {
@@ -236,24 +209,17 @@ static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *stat
 		.lit = state->lighting,
 		.painted = state->lighting && state->colour_material && mesh->colour.data,
 		.interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD,
-		.group = &draw->group,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
 	int err = accel_mesh_begin(&pass);
 
-	if (!err)
-		err = draw_reserve(draw, mesh);
 	if (err)
 		return err;
-	pass.screen = draw->screen;
 	accel_geometry_init(&pass.transform, state, draw->target.width, draw->target.height);
 	accel_lighting_init(&pass.lighting, state, pass.painted);
-	err = draw_transform(&pass);
-	if (err)
-		return err;
 	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
-	return accel_mesh_draw(&pass, 0, accel_mesh_triangles(mesh));
+	return accel_ranges_draw(&draw->ranges, &pass);
 }
 
 int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,

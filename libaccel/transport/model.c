@@ -27,22 +27,14 @@ static int transport_model_run(void *data, const struct accel_job *job, struct g
 				  &transport->tile_threads, status);
 }
 
-/* If it is not given. */
-static uint64_t transport_model_threads(void)
-{
-	unsigned int processors = accel_thread_processors();
-
-	return processors < ACCEL_TILE_THREADS_MAX ? processors : ACCEL_TILE_THREADS_MAX;
-}
-
 static int transport_model_open(const char *where, void **state,
 				struct accel_transport_error *error)
 {
-	uint64_t tile = 64, memory = ENGINE_MEMORY_DEFAULT, threads = transport_model_threads();
+	uint64_t tile = 64, memory = ENGINE_MEMORY_DEFAULT, threads = accel_thread_processors();
 	const struct accel_option options[] = {
 		{ "tile", 32, 64, 0, &tile },
 		{ "memory", ACCEL_RANGE_ALIGN, ENGINE_MEMORY_MAX, ACCEL_RANGE_ALIGN, &memory },
-		{ "threads", 1, ACCEL_TILE_THREADS_MAX, 1, &threads },
+		{ "threads", 1, ACCEL_THREADS_MAX, 1, &threads },
 		{ NULL, 0, 0, 0, NULL },
 	};
 	struct transport_model *transport;
@@ -97,6 +89,7 @@ static void transport_model_info(void *state, struct accel_transport_info *info)
 		.tile_size = (uint32_t)transport->model.tile_size,
 		.pixels_per_clock = 1,
 		.memory_size = transport->engine.memory_size,
+		.threads = transport->threads,
 	};
 	snprintf(info->name, sizeof(info->name), "C model, %u-pixel tiles", info->tile_size);
 }

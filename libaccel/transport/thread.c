@@ -28,14 +28,14 @@ int accel_thread_new(pthread_t *thread, void *(*run)(void *), void *argument)
 
 unsigned int accel_thread_processors(void)
 {
+	long count;
 	cpu_set_t set;
-	long online;
 
 	if (!sched_getaffinity(0, sizeof(set), &set))
-		return (unsigned int)CPU_COUNT(&set);
-	/* There are more than the set has room for. */
-	online = sysconf(_SC_NPROCESSORS_ONLN);
-	return online > 0 ? (unsigned int)online : 1;
+		count = CPU_COUNT(&set);
+	else /* There are more than the set has room for. */
+		count = sysconf(_SC_NPROCESSORS_ONLN);
+	return count < 1 ? 1 : count > ACCEL_THREADS_MAX ? ACCEL_THREADS_MAX : (unsigned int)count;
 }
 
 int accel_thread_hold_cancel(void)

@@ -17,7 +17,10 @@ int accel_thread_new(pthread_t *thread, void *(*run)(void *), void *argument);
 int accel_thread_hold_cancel(void);
 void accel_thread_allow_cancel(int held);
 
-/* Processors that this thread may run on, at least 1. */
+/* The most that work on one thing. */
+#define ACCEL_THREADS_MAX 64
+
+/* Processors that this thread may run on, 1 to ACCEL_THREADS_MAX. */
 unsigned int accel_thread_processors(void);
 
 /* CLOCK_MONOTONIC */

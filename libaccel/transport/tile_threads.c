@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "transport/thread.h"
 #include "transport/tile_threads.h"
 
 void accel_tile_threads_init(struct accel_tile_threads *threads, unsigned int count, int tile_size,

@@ -9,8 +9,8 @@
 #include <pthread.h>
 
 #include "model/model.h"
+#include "transport/thread.h"
 
-#define ACCEL_TILE_THREADS_MAX 64
 /* So far the pass over the stream may be ahead of drawing. */
 #define ACCEL_TILE_PIECES 64
 
@@ -30,10 +30,10 @@ struct accel_tile_threads {
 	bool stop;
 	struct model_counters counters; /* of pieces that were drawn */
 	unsigned int threads;
-	pthread_t thread[ACCEL_TILE_THREADS_MAX];
+	pthread_t thread[ACCEL_THREADS_MAX];
 };
 
-/* @count threads, 1 to ACCEL_TILE_THREADS_MAX, with that of the jobs; the rest as model_init() takes
+/* @count threads, 1 to ACCEL_THREADS_MAX, with that of the jobs; the rest as model_init() takes
  * it. */
 void accel_tile_threads_init(struct accel_tile_threads *threads, unsigned int count, int tile_size,
 			     void *memory, size_t memory_size);

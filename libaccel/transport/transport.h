@@ -27,6 +27,7 @@ struct accel_transport_info {
 	uint32_t tile_size;        /* 32 or 64 */
 	uint32_t pixels_per_clock; /* 1, 2, 4, 8 */
 	uint64_t memory_size;      /* bytes of board memory */
+	unsigned int threads;      /* that the library may use at a time; 0: one a processor */
 };
 
 /* A range of board memory that a job may use. */

@@ -38,17 +38,18 @@ UNIT_TESTS += $(DRAW_UNIT_TESTS)
 $(call unit,$(DRAW_SQUARE_TESTS)): $(BUILD)/tests/unit/draw/draw_square.o $(DECODE_OBJECTS)
 $(call unit,$(DRAW_SQUARE_TESTS)): private WRAPS := $(call wrap,accel_engine_submit)
 $(call unit,test_group test_kernel): private WRAPS := $(call wrap,accel_stream_lend)
+$(call unit,test_ranges): private WRAPS := $(call wrap,accel_engine_submit)
 $(call unit,test_draw_out_of_memory): private WRAPS := $(call wrap,malloc calloc realloc free)
 
 # ---- object/ and transport/ ----
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine test_device test_buffer \
 	test_sized test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
-	test_tile_threads test_transport_sim test_transport_sim_core
+	test_tile_threads test_workers test_ranges test_transport_sim test_transport_sim_core
 UNIT_TESTS += test_symbols test_sim_wrapper
 
 $(call unit,test_tile_threads): $(STREAM_RANDOM_OBJS)
-$(call unit,test_tile_threads): private WRAPS := $(call wrap,pthread_create)
+$(call unit,test_tile_threads test_workers): private WRAPS := $(call wrap,pthread_create)
 $(call unit,test_target): private WRAPS := $(call wrap,accel_engine_submit)
 FLAGS_tests/unit/object/test_unload.c = -DACCEL_SO='"$(BUILD)/libaccel.so"'
 $(call unit,test_unload): | $(BUILD)/libaccel.so
@@ -179,8 +180,8 @@ unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
 	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
 		CFLAGS='-O1 -g -fsanitize=thread' $(ACCEL_UNIT_TESTS:%=run-%)
 
-VALGRIND_TESTS := test_engine test_tile_threads test_device test_stream test_fence test_state test_transport_sim \
-	$(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS)) $(filter-out %_errors,$(USB_TESTS))
+VALGRIND_TESTS := test_engine test_tile_threads test_workers test_device test_stream test_fence test_state \
+	test_transport_sim $(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS)) $(filter-out %_errors,$(USB_TESTS))
 unit-valgrind: $(call unit,$(VALGRIND_TESTS)) $(FAKE_SIMS)
 	$(Q)for test in $(call unit,$(VALGRIND_TESTS)); do \
 		FAKE_SIM_PATH=$(FAKE_SIM_DIR) valgrind -q --error-exitcode=1 --leak-check=full \

@@ -53,7 +53,7 @@ static inline int bin_teardown(void **state)
 #define bin_test(name) cmocka_unit_test_setup_teardown(name, bin_setup, bin_teardown)
 
 /* A flat square's lower left half, @side pixels at (x, y). */
-static inline void draw_at(struct fixture *f, int x, int y, int side)
+static inline void draw_in(struct accel_bin *bin, int x, int y, int side)
 {
 	const struct accel_vertex a = vertex_at(16 * x, 16 * y);
 	const struct accel_vertex b = vertex_at(16 * (x + side), 16 * (y + side));
@@ -63,7 +63,12 @@ static inline void draw_at(struct fixture *f, int x, int y, int side)
 	struct accel_depth_plane plane;
 
 	assert_true(triangle_ready(&triangle, &plane, vertex));
-	assert_int_equal(accel_bin_triangle(&f->bin, &triangle), 0);
+	assert_int_equal(accel_bin_triangle(bin, &triangle), 0);
+}
+
+static inline void draw_at(struct fixture *f, int x, int y, int side)
+{
+	draw_in(&f->bin, x, y, side);
 }
 
 /* ---- a board that shows what it is sent ---- */

@@ -208,6 +208,73 @@ static void a_triangle_over_whole_tiles_is_sent_without_edges_there(void **state
 	assert_int_equal(covering, 1);
 }
 
+#define PARTS 3
+
+/* Some of a mesh's triangles, in @bin. */
+static void draw_random(struct accel_bin *bin, uint64_t *seed, uint32_t count)
+{
+	while (count--) {
+		const int x = (int)test_below(seed, WIDTH), y = (int)test_below(seed, HEIGHT);
+
+		draw_in(bin, x, y, 1 + (int)test_below(seed, 90));
+	}
+}
+
+/* The same frame for the same seed; through @part, or without parts if that is NULL. */
+static void draw_frame(struct fixture *f, struct accel_bin *part, uint64_t seed)
+{
+	accel_bin_reset(&f->bin);
+	/* Frames of two sizes. */
+	f->all.x1 = seed % 2 ? WIDTH : WIDTH / 2;
+	assert_int_equal(accel_bin_begin(&f->bin, f->all.x1, HEIGHT), 0);
+	for (int mesh = 0; mesh < 6; mesh++) {
+		set_state(f, (enum accel_compare)test_below(&seed, 8), test_below(&seed, 2), true);
+		if (mesh == 4)
+			clear(f, ACCEL_CLEAR_COLOUR, 0x55667788, 0);
+		for (int i = 0; i < 5; i++) {
+			struct accel_bin *bin = part ? &part[i % PARTS] : &f->bin;
+
+			if (part)
+				assert_int_equal(accel_bin_part_begin(bin, &f->bin), 0);
+			draw_random(bin, &seed, test_below(&seed, 30));
+			if (part)
+				assert_int_equal(accel_bin_append(&f->bin, bin), 0);
+		}
+	}
+}
+
+static void a_frame_in_parts_is_the_same_stream(void **state)
+{
+	static uint32_t whole[sizeof(sent_words) / sizeof(*sent_words)];
+	struct fixture *f = *state;
+	struct accel_bin part[PARTS];
+	uint64_t seed = test_seed();
+	uint64_t records;
+	uint32_t count;
+
+	for (int i = 0; i < PARTS; i++)
+		accel_bin_init(&part[i], 64);
+	for (int frame = 0; frame < 4; frame++) {
+		draw_frame(f, NULL, seed + (uint64_t)frame);
+		submit(f, ACCEL_JOB_WORDS);
+		count = sent_count;
+		records = f->stats.records;
+		memcpy(whole, sent_words, count * sizeof(*whole));
+		/* A target that knows as little, or tiles would be left out. */
+		accel_target_free(f->target);
+		assert_int_equal(accel_target_new(f->device, WIDTH, HEIGHT, &f->target), 0);
+		draw_frame(f, part, seed + (uint64_t)frame);
+		submit(f, ACCEL_JOB_WORDS);
+		assert_int_equal(sent_count, count);
+		assert_int_equal(f->stats.records, records);
+		assert_memory_equal(sent_words, whole, count * sizeof(*whole));
+		accel_target_free(f->target);
+		assert_int_equal(accel_target_new(f->device, WIDTH, HEIGHT, &f->target), 0);
+	}
+	for (int i = 0; i < PARTS; i++)
+		accel_bin_free(&part[i]);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -220,6 +287,7 @@ int main(void)
 		bin_test(clearing_one_surface_draws_over_what_was_drawn),
 		bin_test(clearing_both_forgets_what_was_drawn),
 		bin_test(a_triangle_over_whole_tiles_is_sent_without_edges_there),
+		bin_test(a_frame_in_parts_is_the_same_stream),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
