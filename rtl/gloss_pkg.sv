@@ -11,14 +11,13 @@ package gloss_pkg;
 `include "gloss_hw.svh"
 
   // ---- render queue: what command hands to raster_load ----
-  // A TRIANGLE is RENDER_HEADER, its payload in rows of StreamBits, then
-  // RENDER_GO. A part of the payload starts in lane 0 of a row. Of a
+  // A TRIANGLE is RENDER_HEADER and its payload in rows of StreamBits; the op
+  // after them has go, whatever it is. A part of the payload starts in lane 0 of a row. Of a
   // TRIANGLE_SMALL the header is the first word of PART_SMALL, and RENDER_HEADER
   // is row 0 of that.
   localparam logic [2:0] RENDER_HEADER = 3'd0;  // data[31:0]: the triangle's header word;
                                                 // part: PART_SMALL, or PART_NONE
   localparam logic [2:0] RENDER_PAYLOAD = 3'd1; // part, row: which words of the record
-  localparam logic [2:0] RENDER_GO = 3'd2;      // the record is complete: draw it
   localparam logic [2:0] RENDER_STATE = 3'd3;   // part: STATE_*
   localparam logic [2:0] RENDER_END = 3'd4;     // end of the tile
   localparam logic [2:0] RENDER_BEGIN = 3'd5;   // a tile begins; raster_load never sees it: the
@@ -43,6 +42,7 @@ package gloss_pkg;
   localparam logic [2:0] STATE_RESET = 3'd3;    // all to the state a job starts with
 
   typedef struct packed {
+    logic       go;    // the record before is complete: draw it, then this
     logic [2:0] kind;
     logic [2:0] part;
     logic [4:0] row;

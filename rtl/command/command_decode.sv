@@ -4,9 +4,10 @@
 //
 // Words move in two steps. In the first they are taken from the aligner into row_q; in the second
 // they are checked and go to the render queue. What the check of a row says is known a clock after
-// that, of a header two; so a triangle is sent before it is known to be right, and RENDER_GO, which
-// follows the last row, is what a fault holds back. A record takes a clock for each of header, rows
-// and RENDER_GO; a small one's header is in its first row.
+// that, of a header two; so a triangle is sent before it is known to be right, and what draws it
+// comes with the op after its last row. That is two clocks behind this row and three behind the
+// header, just as a fault in them is known, and a fault holds it back. A record takes a clock for
+// its header and one for each row; a small one's header is in its first row.
 module command_decode #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32
@@ -68,7 +69,6 @@ module command_decode #(
     Reset,    // the render state
     Header,
     Triangle, // its rows
-    Go,
     Check,    // the header of another packet,
     Verdict,  // and how it went
     Skip,     // the payload of NOP
@@ -90,6 +90,7 @@ module command_decode #(
   logic                 op_push;
   logic [2:0]           op_kind, op_part;
   logic [4:0]           op_row;
+  logic                 go_q;               // a record was taken whole, and no op after it
 
   logic [CountBits-1:0] take, take_q;
   logic                 header_take, row_take, have_row, head_there;
@@ -119,7 +120,7 @@ module command_decode #(
   command_header u_header (
     .clk_i    (clk_i),
     .rst_ni   (rst_ni),
-    .check_i  (header_check_q),
+    .check_i  (header_check_q && !refused_q),
     .header_i (row_q[31:0]),
     .left_i   (left_i),
     .in_tile_i(in_tile_i),
@@ -206,13 +207,8 @@ module command_decode #(
         row_take = op_ready && have_row;
         op_push = row_take;
         if (row_take) take = row_words;
-        if (row_take && row_last) state_d = Go;
+        if (row_take && row_last) state_d = Header;
         stall_stream_o = !have_row;
-      end
-      Go: begin
-        op_push = op_ready;
-        op_kind = gloss_pkg::RENDER_GO;
-        if (op_ready) state_d = Header;
       end
       Check: state_d = Verdict;
       Verdict: state_d = header_q[31:24] == gloss_pkg::OP_NOP ? Skip : Start;
@@ -295,17 +291,20 @@ module command_decode #(
   assign render_valid_o = op_valid_q && !refused_q;
   assign render_op_o = op_q;
   assign render_data_o = row_q;
-  assign triangle_o = render_valid_o && render_ready_i && op_q.kind == gloss_pkg::RENDER_GO;
+  assign triangle_o = render_valid_o && render_ready_i && op_q.go;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       op_valid_q <= 1'b0;
       op_q <= '0;
+      go_q <= 1'b0;
     end else if (refused_q) begin
       op_valid_q <= 1'b0;
+      go_q <= 1'b0;
     end else if (op_ready) begin
       op_valid_q <= op_push;
-      op_q <= {op_kind, op_part, op_row};
+      op_q <= {go_q, op_kind, op_part, op_row};
+      if (op_push) go_q <= row_take && row_last;
     end
   end
 
@@ -337,7 +336,7 @@ module command_decode #(
       offset_q <= '0;
     end else begin
       refused_q <= refuse;
-      head_refuse <= header_check_q && row_bad;
+      head_refuse <= header_check_q && row_bad && !refused_q;
       take_q <= take;
       if (start_o) begin
         cause_q <= gloss_pkg::FAULT_NONE;
@@ -365,5 +364,16 @@ module command_decode #(
       end
     end
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      rows_are_ops: assert (!row_take || (op_push && op_ready));
+      tile_begins_without_go: assert (!(op_valid_q && op_q.go) ||
+                                      op_q.kind != gloss_pkg::RENDER_BEGIN);
+      refused_once: assert (!refused_q || state_q != Locate);
+    end
+  end
+`endif
 
 endmodule

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Collects the rows of a triangle's record, whatever form it was sent in, and keeps the state that
-// triangles use. At RENDER_GO the whole record is offered to raster_walk and raster_row; when both
-// have copied it, rows of the next one are taken, one a clock, while this one is drawn.
+// triangles use. When an op with go comes, the record before it is offered to raster_walk and, a
+// clock later, to raster_row: until then shade works at what it needs of the last row. When both
+// have copied it, rows of the next one are taken, one a clock, while this one is drawn. The scissor
+// is not copied: it changes when the walk is idle.
 //
 // Shade may read the record in the clocks after row_take_i, and relies on this: the next record's
 // header comes 1 clock after it at the earliest and so depth and colours change after 2 clocks. A
@@ -24,6 +26,7 @@ module raster_load #(
   // to raster_walk
   output logic                    walk_valid_o,
   input  logic                    walk_take_i,
+  input  logic                    walk_idle_i,
   output gloss_pkg::edge_line_t   left_o,
   output gloss_pkg::edge_line_t   right_o,
   output gloss_pkg::edge_line_t   middle_o,
@@ -61,33 +64,34 @@ module raster_load #(
 
   // ---- the op in hand ----
   // It is decoded on its way into registers, so that few gates are left before the many enables.
-  logic                  held_q, header_q, go_q, set_q, end_q;
+  logic                  held_q, header_q, set_q, end_q, scissor_held_q;
   logic [6:0]            part_q; // payload, by PART_*
   logic [2:0]            what_q; // STATE_*
   logic [4:0]            row_q;
   logic [StreamBits-1:0] data_q;
   logic                  bank_q;
 
-  logic                  walk_full_q, row_full_q, open;
+  logic                  walk_full_q, row_full_q, row_fresh_q, open;
   logic                  take_header, take_go, take_set, take_end;
   logic [6:0]            take_part;
 
   assign open = !walk_full_q && !row_full_q &&
-                !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i);
+                !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i) &&
+                !(scissor_held_q && !walk_idle_i);
   assign ready_o = !held_q || open;
   assign idle_o = !held_q && !walk_full_q && !row_full_q;
   assign walk_valid_o = walk_full_q;
-  assign row_valid_o = row_full_q;
+  assign row_valid_o = row_full_q && !row_fresh_q;
 
   assign take_header = header_q && open;
   assign take_part = open ? part_q : '0;
-  assign take_go = go_q && open;
+  assign take_go = valid_i && ready_o && op_i.go;
   assign take_set = set_q && open;
   assign take_end = end_q && open;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      {held_q, header_q, part_q, go_q, set_q, end_q} <= '0;
+      {held_q, header_q, part_q, set_q, end_q, scissor_held_q} <= '0;
     end else if (ready_o) begin
       held_q <= valid_i;
       header_q <= valid_i && op_i.kind == gloss_pkg::RENDER_HEADER;
@@ -95,8 +99,10 @@ module raster_load #(
         part_q[p] <= valid_i && op_i.part == 3'(p) && (op_i.kind == gloss_pkg::RENDER_PAYLOAD ||
                                                        op_i.kind == gloss_pkg::RENDER_HEADER);
       end
-      go_q <= valid_i && op_i.kind == gloss_pkg::RENDER_GO;
       set_q <= valid_i && op_i.kind == gloss_pkg::RENDER_STATE;
+      scissor_held_q <= valid_i && op_i.kind == gloss_pkg::RENDER_STATE &&
+                        (op_i.part == gloss_pkg::STATE_SCISSOR ||
+                         op_i.part == gloss_pkg::STATE_RESET);
       end_q <= valid_i && op_i.kind == gloss_pkg::RENDER_END;
     end
   end
@@ -114,7 +120,9 @@ module raster_load #(
     if (!rst_ni) begin
       walk_full_q <= 1'b0;
       row_full_q <= 1'b0;
+      row_fresh_q <= 1'b0;
     end else begin
+      row_fresh_q <= take_go;
       if (take_go) walk_full_q <= 1'b1;
       else if (walk_take_i) walk_full_q <= 1'b0;
       if (take_go || take_end) row_full_q <= 1'b1;
@@ -159,7 +167,7 @@ module raster_load #(
       endcase
     end
     if (take_go || take_end) begin
-      state_q.bank <= bank_q;
+      state_q.bank <= take_go ? bank_i : bank_q;
       is_end_q <= take_end;
     end
   end
@@ -322,6 +330,7 @@ module raster_load #(
           !(row_take_i || row_taken_q != '0));
       small_colour_two_clocks_late: assert (!take_part[gloss_pkg::PART_SMALL_COLOUR] ||
                                             !(row_take_i || row_taken_q[0]));
+      go_after_a_whole_record: assert (!take_go || !(walk_full_q || row_full_q || take_end));
       alpha_set_once: assert (!(set_constant && take_part[gloss_pkg::PART_ALPHA]));
     end
   end

@@ -72,6 +72,7 @@ module raster_shade #(
     .bank_i       (bank_i),
     .walk_valid_o (walk_valid),
     .walk_take_i  (walk_take),
+    .walk_idle_i  (walk_idle),
     .left_o       (left),
     .right_o      (right),
     .middle_o     (middle),

@@ -3,8 +3,9 @@
 // scissor and says which blocks it spans. Runs ahead of raster_row, which takes the spans, and
 // begins the next triangle on its own.
 //
-// A span is out four clocks after its row began. Rows with nothing to draw come too, as empty
-// spans: raster_row has to step over them.
+// A span is out four clocks after its row began, that of a listed row three. Rows with nothing to
+// draw come too, as empty spans: raster_row has to step over them. The next triangle is taken in
+// the clock after the last row of this one; so a triangle of n rows takes n + 1 clocks.
 module raster_walk #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -32,7 +33,7 @@ module raster_walk #(
   input  logic [RowBits-1:0]    last_row_i,
   input  logic [5:0]            switch_row_i,
   input  logic                  side_i,
-  input  gloss_pkg::scissor_rect_t scissor_i,
+  input  gloss_pkg::scissor_rect_t scissor_i,  // stays until the walk is idle
 
   // to raster_row
   output logic                  span_valid_o,
@@ -60,14 +61,14 @@ module raster_walk #(
   logic [5:0]         listed_x_q;
   logic [15:0]        listed_rows_q;  // this row, the next one
 
-  gloss_pkg::scissor_rect_t      scissor_q;
   gloss_pkg::edge_line_t middle_q;
 
   logic edge_valid_q, column_valid_q; // the 2nd and 3rd stage hold a row
   logic step_r, step_x;
 
-  // Registers that stages after the first read go with the record, so those have to be empty.
-  assign take_o = valid_i && !busy_q && !edge_valid_q && !column_valid_q;
+  // The 2nd stage is part of what is copied, so its row has to move on in the same clock. A listed
+  // row does not pass it, and must not meet one there.
+  assign take_o = valid_i && !busy_q && (!edge_valid_q || (advance && !listed_i));
   assign step_r = advance && busy_q;
   assign step_x = step_r && !first_q;
 
@@ -81,7 +82,6 @@ module raster_walk #(
       listed_x_q <= listed_x_i;
       listed_rows_q <= listed_rows_i;
       side_q <= side_i;
-      scissor_q <= scissor_i;
       row_q <= first_row_i;
       rows_left_q <= last_row_i;
       switch_count_q <= switch_row_i;
@@ -103,7 +103,7 @@ module raster_walk #(
     end else begin
       if (take_o) busy_q <= 1'b1;
       else if (step_r && rows_left_q == '0) busy_q <= 1'b0;
-      if (advance) edge_valid_q <= busy_q;
+      if (advance) edge_valid_q <= busy_q && !listed_q;
     end
   end
 
@@ -111,7 +111,6 @@ module raster_walk #(
   assign listed_busy_o = busy_q && listed_q;
 
   // ---- 2nd stage: columns, 13 bits ----
-  logic [6:0]         listed_left_q, listed_right_q;
   logic signed [12:0] left_x, right_x;
   logic               edge_last_q, edge_inside_q;
 
@@ -144,8 +143,14 @@ module raster_walk #(
     column = x[12] ? 7'd0 : |x[11:7] ? 7'd127 : x[6:0];
   endfunction
 
+  logic       row_inside;
+  logic [6:0] listed_left, listed_right;
   logic       column_last_q, column_inside_q;
   logic [6:0] column_left_q, column_right_q;
+
+  assign row_inside = 7'(row_q) >= scissor_i.y0 && 7'(row_q) < scissor_i.y1;
+  assign listed_left = 7'(listed_x_q) + 7'(listed_rows_q[3:0]);
+  assign listed_right = 7'(listed_x_q) + 7'(listed_rows_q[7:4]) + 7'd1;
 
   // ---- 4th stage: clipped ----
   logic       clip_valid_q, clip_last_q, clip_inside_q;
@@ -164,19 +169,17 @@ module raster_walk #(
   always_ff @(posedge clk_i) begin
     if (advance) begin
       edge_last_q <= rows_left_q == '0;
-      edge_inside_q <= 7'(row_q) >= scissor_q.y0 && 7'(row_q) < scissor_q.y1;
+      edge_inside_q <= row_inside;
 
-      column_last_q <= edge_last_q;
-      column_inside_q <= edge_inside_q;
-      listed_left_q <= 7'(listed_x_q) + 7'(listed_rows_q[3:0]);
-      listed_right_q <= 7'(listed_x_q) + 7'(listed_rows_q[7:4]) + 7'd1;
-      column_left_q <= covering_q ? 7'd0 : listed_q ? listed_left_q : column(left_x);
-      column_right_q <= covering_q ? 7'd127 : listed_q ? listed_right_q : column(right_x);
+      column_last_q <= edge_valid_q ? edge_last_q : rows_left_q == '0;
+      column_inside_q <= edge_valid_q ? edge_inside_q : row_inside;
+      column_left_q <= !edge_valid_q ? listed_left : covering_q ? 7'd0 : column(left_x);
+      column_right_q <= !edge_valid_q ? listed_right : covering_q ? 7'd127 : column(right_x);
 
       clip_last_q <= column_last_q;
       clip_inside_q <= column_inside_q;
-      clip_low_q <= column_left_q > scissor_q.x0 ? column_left_q : scissor_q.x0;
-      clip_high_q <= column_right_q < scissor_q.x1 ? column_right_q : scissor_q.x1;
+      clip_low_q <= column_left_q > scissor_i.x0 ? column_left_q : scissor_i.x0;
+      clip_high_q <= column_right_q < scissor_i.x1 ? column_right_q : scissor_i.x1;
     end
   end
 
@@ -185,7 +188,7 @@ module raster_walk #(
       column_valid_q <= 1'b0;
       clip_valid_q <= 1'b0;
     end else if (advance) begin
-      column_valid_q <= edge_valid_q;
+      column_valid_q <= edge_valid_q || (busy_q && listed_q);
       clip_valid_q <= column_valid_q;
     end
   end
@@ -208,5 +211,23 @@ module raster_walk #(
   );
 
   assign idle_o = !busy_q && !edge_valid_q && !column_valid_q && !clip_valid_q && !span_valid_o;
+
+`ifndef SYNTHESIS
+  gloss_pkg::scissor_rect_t was_scissor_q;
+  logic                     was_idle_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) was_idle_q <= 1'b1;
+    else was_idle_q <= idle_o;
+  end
+
+  always_ff @(posedge clk_i) begin
+    was_scissor_q <= scissor_i;
+    if (rst_ni) begin
+      scissor_stays: assert (was_idle_q || scissor_i == was_scissor_q);
+      no_rows_meet: assert (!(edge_valid_q && busy_q && listed_q));
+    end
+  end
+`endif
 
 endmodule

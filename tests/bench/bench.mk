@@ -3,8 +3,9 @@
 # added to BENCHES; they run one after the other. docs/figures.md says what each name means.
 ##@ Pictures and figures
 
-BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_setup bench_shade)
-BENCHES += bench-frame bench-growth bench-shade bench-setup bench-load nmse
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/, bench_load bench_record bench_setup \
+	bench_shade)
+BENCHES += bench-frame bench-growth bench-shade bench-setup bench-record bench-load nmse
 
 # SHORT=1: one round of what compares with Mesa, to try it out; then no aim counts.
 SHORT ?= 0
@@ -24,14 +25,14 @@ $(CONTEST_PROGRAMS): $(CONTEST_OBJS) $(SCENE_OBJS) $(BUILD)/libaccel.a
 # Those that draw what gloss-view draws.
 SUBJECT_OBJS := $(BUILD)/tests/bench/subject.o $(addprefix $(BUILD)/tools/view/, camera.o draw.o light.o \
 	material.o number.o options.o progress.o)
-$(CONTEST_PROGRAMS) $(BUILD)/tests/bench/bench_setup: $(SUBJECT_OBJS)
+$(CONTEST_PROGRAMS) $(addprefix $(BUILD)/tests/bench/, bench_record bench_setup): $(SUBJECT_OBJS)
 
 # What a benchmark prints is shown and kept, also if it fails: a figure that misses its aim is one.
 keep_figures = mkdir -p $(BUILD)/bench && { tests/bench/retry $(BUILD)/bench/$(1).txt $(2); status=$$?; } && \
 	cat $(BUILD)/bench/$(1).txt && exit $$status
 
-.PHONY: bench bench-frame bench-growth bench-load bench-shade bench-setup figures frame-pictures plot test-plot \
-	run-bench-figures run-bench-run run-merge run-test_painter
+.PHONY: bench bench-frame bench-growth bench-load bench-record bench-shade bench-setup figures frame-pictures plot \
+	test-plot run-bench-figures run-bench-run run-merge run-test_painter
 bench-frame: $(BUILD)/tests/bench/bench_frame ## frames a processor second against Mesa's drivers (SHORT=1: one round)
 	$(Q)$(call keep_figures,frame,$< $(SHORT_OPTION) $(MODELS))
 
@@ -49,6 +50,9 @@ bench-shade: $(BUILD)/tests/bench/bench_shade ## speed of the model against per-
 
 bench-setup: $(BUILD)/tests/bench/bench_setup ## triangles set up a second, and their words
 	$(Q)$(call keep_figures,setup,$< $(MODELS))
+
+bench-record: $(BUILD)/tests/bench/bench_record $(SIM_DIR)/accel-sim-t64-k8.so ## clocks of the core for a mesh's record
+	$(Q)$(call keep_figures,record,env GLOSS_SIM_PATH=$(SIM_DIR) $< $(MODELS))
 
 bench-load: $(BUILD)/tests/bench/bench_load ## time and memory of reading a mesh against assimp alone
 	$(Q)$(call keep_figures,load,$<)

@@ -15,7 +15,7 @@ enum { ROW = STREAM / 32 };
 /* Parts of a triangle's payload, as in gloss_pkg.sv. */
 enum { EDGES, DEPTH, ALPHA, COLOUR, SMALL, SMALL_COLOUR, SMALL_ROWS, PART_NONE };
 
-/* Collects a triangle's rows; its words are right only once RENDER_GO has come. */
+/* Collects a triangle's rows; its words are right only once an op with go has come. */
 class Record
 {
       public:
@@ -87,7 +87,7 @@ class Record
 	}
 
 	unsigned int left[PART_NONE], row;
-	bool valid; /* else the rows have no meaning, and no RENDER_GO */
+	bool valid; /* else the rows have no meaning, and no op has go */
 };
 
 class CommandBench : public Bench<Vcommand>
@@ -103,7 +103,7 @@ class CommandBench : public Bench<Vcommand>
 
 	Random random;
 	bool stalls = true;
-	uint64_t record_clocks[3]; /* of the first and last RENDER_GO, and how many */
+	uint64_t record_clocks[3]; /* of the first and last op with go, and how many */
 	bool spoil = false;        /* memory fails at some time */
 
       private:
@@ -213,19 +213,23 @@ inline void CommandBench::sample_render()
 	unsigned int kind = tb_get(top.render_op_o, 8, 3), part = tb_get(top.render_op_o, 5, 3);
 	uint64_t word = tb_get(top.render_data_o, 0, 32);
 
+	if (tb_get(top.render_op_o, 11, 1)) {
+		record_clocks[record_clocks[2]++ != 0] = clocks;
+		take(left.render, record.words, "render");
+	}
 	switch (kind) {
 	case HEADER:
 		return record.begin(part, top.render_data_o);
 	case PAYLOAD:
 		return record.add(part, tb_get(top.render_op_o, 0, 5), top.render_data_o);
-	case GO:
-		record_clocks[record_clocks[2]++ != 0] = clocks;
-		return take(left.render, record.words, "render");
 	case STATE:
 		if (part == STATE_RESET)
 			return take(left.render, { STATE, part }, "render");
 		return take(left.render, { STATE, part, word }, "render");
 	default:
+		/* Of a tile that a fault drops, the triangle before it need not be drawn. */
+		if (left.dropped && left.render.size() == 2 && left.render.front()[0] == GO)
+			left.render.pop_front();
 		drawing -= kind == END;
 		return take(left.render, { kind }, "render");
 	}

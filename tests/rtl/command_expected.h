@@ -22,6 +22,7 @@ typedef std::deque<std::vector<uint64_t>> Port;
 
 struct Expected {
 	Port render, begin, end, copy, copy_data, response;
+	bool dropped = false; /* a fault ends a tile */
 	gloss_status status;
 };
 
@@ -56,6 +57,7 @@ class Walker
 			word = 0;
 		}
 		if (fault && model.in_tile) {
+			out.dropped = true;
 			out.render.push_back({ END });
 			out.end.push_back({ GLOSS_TILE_OUTPUT_DROP, GLOSS_TILE_OUTPUT_DROP });
 		}

@@ -38,7 +38,7 @@ struct Step {
 	/* RENDER */
 	unsigned int kind;
 	uint32_t data;
-	std::shared_ptr<Draw> draw; /* of a RENDER_GO */
+	std::shared_ptr<Draw> draw; /* of an op that draws */
 };
 
 /* How a test wants its tiles. */
