@@ -196,7 +196,7 @@ int main(int argc, char **argv)
 		fprintf(stderr, "usage: bench_setup MODELS\n");
 		return 2;
 	}
-	need(accel_device_new("model:", NULL, NULL, &bench.device), "model:");
+	need(accel_device_new("model:threads=1", NULL, NULL, &bench.device), "model:");
 	need(accel_target_new(bench.device, WIDTH, HEIGHT, &bench.target), "accel_target_new");
 	need(accel_draw_new(bench.device, &bench.draw), "accel_draw_new");
 	missed = measure_all(&bench);

@@ -209,7 +209,7 @@ int main(int argc, char **argv)
 	scene_init(&bench.scene, WIDTH, HEIGHT);
 	if (phong_frame_new(&bench.scene, false, &bench.frame))
 		die("out of memory");
-	if (accel_device_new("model:", NULL, NULL, &bench.device) ||
+	if (accel_device_new("model:threads=1", NULL, NULL, &bench.device) ||
 	    accel_target_new(bench.device, WIDTH, HEIGHT, &bench.target) ||
 	    accel_draw_new(bench.device, &bench.draw))
 		die("can not open the model");
