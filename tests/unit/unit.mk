@@ -38,7 +38,7 @@ UNIT_TESTS += $(DRAW_UNIT_TESTS)
 $(call unit,$(DRAW_SQUARE_TESTS)): $(BUILD)/tests/unit/draw/draw_square.o $(DECODE_OBJECTS)
 $(call unit,$(DRAW_SQUARE_TESTS)): private WRAPS := $(call wrap,accel_engine_submit)
 $(call unit,test_group test_kernel): private WRAPS := $(call wrap,accel_stream_lend)
-$(call unit,test_ranges): private WRAPS := $(call wrap,accel_engine_submit)
+$(call unit,test_ranges): private WRAPS := $(call wrap,accel_engine_submit malloc realloc)
 $(call unit,test_draw_out_of_memory): private WRAPS := $(call wrap,malloc calloc realloc free)
 
 # ---- object/ and transport/ ----

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A mesh that threads draw is the same stream, word for word, as with one; link with
- * --wrap=accel_engine_submit. */
+ * --wrap=accel_engine_submit and of what allocates. */
+#include <stdatomic.h>
+
 #include "accel_priv.h"
 #include "accel_test.h"
 #include "child_test.h"
@@ -37,6 +39,36 @@ int __wrap_accel_engine_submit(void *state, const struct accel_transport_job *jo
 	sent->count += job->stream_words;
 	return __real_accel_engine_submit(state, job, sequence);
 }
+
+/* ---- memory that runs out ---- */
+
+static atomic_int allocations_left = -1; /* until one fails; below 0: none does */
+
+static bool allocation_fails(void)
+{
+	int left = atomic_load(&allocations_left);
+
+	while (left >= 0 && !atomic_compare_exchange_weak(&allocations_left, &left, left - 1))
+		;
+	return left == 0;
+}
+
+void *__real_malloc(size_t size);
+void *__wrap_malloc(size_t size);
+void *__real_realloc(void *memory, size_t size);
+void *__wrap_realloc(void *memory, size_t size);
+
+void *__wrap_malloc(size_t size)
+{
+	return allocation_fails() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_realloc(void *memory, size_t size)
+{
+	return allocation_fails() ? NULL : __real_realloc(memory, size);
+}
+
+/* ---- meshes ---- */
 
 static float random_float(uint64_t *seed, float least, float most)
 {
@@ -222,6 +254,57 @@ static void the_first_vertex_that_is_not_finite_is_told(void **state)
 	}
 }
 
+/* Whichever thread it is that gets no memory, the frame is lost, and the next is as ever. */
+static void memory_that_a_thread_does_not_get_loses_the_frame(void **state)
+{
+	const struct accel_mesh mesh = ACCEL_MESH(.topology = ACCEL_TOPOLOGY_TRIANGLES,
+						  .vertices = VERTICES,
+						  .position = { .data = position },
+						  .index = index_of, .indices = 3 * 5000);
+	static uint32_t words[1 << 20];
+	struct sent some = { .words = words };
+	struct messages messages;
+	struct accel_device *device = device_open("model:threads=3", &messages);
+	struct accel_target *target;
+	struct accel_state *drawn;
+	uint64_t seed = 1;
+	size_t wanted = 0;
+	int err = -ENOMEM, failed = 0;
+
+	(void)state;
+	sent = &some;
+	mesh_fill(&seed);
+	assert_int_equal(accel_target_new(device, SIDE, SIDE, &target), 0);
+	assert_int_equal(accel_state_new(&drawn), 0);
+	for (int n = 0; err; n++) {
+		struct accel_draw *draw;
+
+		assert_int_equal(accel_draw_new(device, &draw), 0);
+		assert_int_equal(accel_draw_begin(draw, target, NULL), 0);
+		allocations_left = n;
+		err = accel_draw_mesh(draw, drawn, &mesh);
+		allocations_left = -1;
+		if (err) {
+			failed++;
+			assert_int_equal(err, -ENOMEM);
+			assert_int_equal(accel_draw_mesh(draw, drawn, &mesh), -EINVAL);
+			assert_int_equal(accel_draw_begin(draw, target, NULL), 0);
+			assert_int_equal(accel_draw_mesh(draw, drawn, &mesh), 0);
+		}
+		some.count = 0;
+		assert_int_equal(accel_draw_finish(draw), 0);
+		if (!wanted)
+			wanted = some.count;
+		assert_int_equal(some.count, wanted);
+		accel_draw_free(draw);
+	}
+	assert_true(wanted > 1000);
+	assert_true(failed > 10);
+	accel_state_free(drawn);
+	accel_target_free(target);
+	accel_device_free(device);
+}
+
 /* What a child draws on. */
 static struct {
 	struct accel_draw *draw;
@@ -269,6 +352,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(any_number_of_threads_sends_the_same_words),
 		cmocka_unit_test(the_first_vertex_that_is_not_finite_is_told),
+		cmocka_unit_test(memory_that_a_thread_does_not_get_loses_the_frame),
 		cmocka_unit_test(a_child_of_fork_draws_alone),
 	};
 
