@@ -18,12 +18,12 @@ module command_header (
   gloss_pkg::tile_end_header_t       tile_end;
   // verilator lint_on UNUSEDSIGNAL
   logic [10:0] length, triangle_length, small_length;
-  logic        opcode_valid, variable_ok;
+  logic        opcode_valid, free, too_short;
   logic [31:0] reserved;
-  logic [10:0] words;       // payload of a packet of fixed length
-  logic        is_fixed;
+  logic [10:0] words;       // of the payload, unless any number is free
   logic        misplaced, bad_value, past_end;
-  logic        checked_q, bad_opcode_q, bad_value_q, bad_length_q, misplaced_q;
+  logic        checked_q, bad_opcode_q, bad_value_q, bad_end_q, misplaced_q, free_q, bad_length;
+  logic [10:0] length_q, words_q;
 
   assign triangle = header_i;
   assign small_header = header_i;
@@ -62,19 +62,19 @@ module command_header (
     opcode_valid = 1'b1;
     reserved = '0;
     words = '0;
-    is_fixed = 1'b1;
-    variable_ok = 1'b1;
+    free = 1'b0;
+    too_short = 1'b0;
     misplaced = 1'b0;
     bad_value = 1'b0;
     unique case (header_i[31:24])
       gloss_pkg::OP_NOP: begin
         reserved = gloss_pkg::NOP_HEADER_RESERVED;
-        is_fixed = 1'b0;
+        free = 1'b1;
       end
       gloss_pkg::OP_WRITE_MEMORY: begin
         reserved = gloss_pkg::WRITE_MEMORY_HEADER_RESERVED;
-        is_fixed = 1'b0;
-        variable_ok = length > 11'd2;
+        free = 1'b1;
+        too_short = length <= 11'd2;
         misplaced = in_tile_i;
       end
       gloss_pkg::OP_READ_MEMORY: begin
@@ -123,16 +123,14 @@ module command_header (
         reserved = gloss_pkg::TRIANGLE_HEADER_RESERVED;
         bad_value = triangle.geometry > gloss_pkg::GEOMETRY_COVERING ||
                     triangle.shading > gloss_pkg::SHADING_SECOND_ORDER;
-        is_fixed = 1'b0;
-        variable_ok = length == triangle_length;
+        words = triangle_length;
         misplaced = !in_tile_i;
       end
       gloss_pkg::OP_TRIANGLE_SMALL: begin
         reserved = gloss_pkg::TRIANGLE_SMALL_HEADER_RESERVED;
         bad_value = small_header.shading > gloss_pkg::SHADING_SECOND_ORDER ||
                     small_header.row_words > gloss_pkg::ROW_WORDS_FOUR;
-        is_fixed = 1'b0;
-        variable_ok = length == small_length;
+        words = small_length;
         misplaced = !in_tile_i;
       end
       default: opcode_valid = 1'b0;
@@ -144,7 +142,10 @@ module command_header (
   always_ff @(posedge clk_i) begin
     bad_opcode_q <= !opcode_valid;
     bad_value_q <= (header_i & reserved) != '0 || bad_value;
-    bad_length_q <= (is_fixed ? length != words : !variable_ok) || past_end;
+    bad_end_q <= too_short || past_end;
+    free_q <= free;
+    length_q <= length;
+    words_q <= words;
     misplaced_q <= misplaced;
   end
 
@@ -153,12 +154,15 @@ module command_header (
     else checked_q <= check_i;
   end
 
+  // Compared a clock after the words were summed up.
+  assign bad_length = bad_end_q || (!free_q && length_q != words_q);
+
   always_comb begin
     fault_o = gloss_pkg::FAULT_NONE;
     if (checked_q) begin
       if (bad_opcode_q) fault_o = gloss_pkg::FAULT_OPCODE;
       else if (bad_value_q) fault_o = gloss_pkg::FAULT_VALUE;
-      else if (bad_length_q) fault_o = gloss_pkg::FAULT_LENGTH;
+      else if (bad_length) fault_o = gloss_pkg::FAULT_LENGTH;
       else if (misplaced_q) fault_o = gloss_pkg::FAULT_ORDER;
     end
   end
