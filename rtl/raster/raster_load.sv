@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Collects the rows of a triangle's record, whatever form it was sent in, and keeps the state that
 // triangles use. When an op with go comes, the record before it is offered to raster_walk and, a
-// clock later, to raster_row: until then shade works at what it needs of the last row. When both
-// have copied it, rows of the next one are taken, one a clock, while this one is drawn. The scissor
-// is not copied: it changes when the walk is idle.
+// clock later, a small one two, to raster_row: until then shade works at what it needs of the last
+// row. When both have copied it, rows of the next one are taken, one a clock, while this one is
+// drawn. The scissor is not copied: it changes when the walk is idle.
 //
-// Shade may read the record in the clocks after row_take_i, and relies on this: the next record's
-// header comes 1 clock after it at the earliest and so depth and colours change after 2 clocks. A
-// small record has its depth beside the header, so that waits a clock on its way.
+// Shade may read the record in the clocks after row_take_i, and relies on this: depth and colours
+// do not change in the two clocks after it. So the next record's header comes a clock after it at
+// the earliest, that of a small one with it: what small rows mean is worked out before it is
+// written, colours a clock later and depth, which is beside the header, two.
 module raster_load #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned StreamBits = 32,
@@ -71,17 +72,18 @@ module raster_load #(
   logic [StreamBits-1:0] data_q;
   logic                  bank_q;
 
-  logic                  walk_full_q, row_full_q, row_fresh_q, open;
+  logic                  walk_full_q, row_full_q, open;
+  logic [1:0]            row_fresh_q;  // clocks that raster_row has to wait
   logic                  take_header, take_go, take_set, take_end;
   logic [6:0]            take_part;
 
-  assign open = !walk_full_q && !row_full_q &&
+  assign open = !walk_full_q && (!row_full_q || (row_take_i && is_small && header_q)) &&
                 !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i) &&
                 !(scissor_held_q && !walk_idle_i);
   assign ready_o = !held_q || open;
   assign idle_o = !held_q && !walk_full_q && !row_full_q;
   assign walk_valid_o = walk_full_q;
-  assign row_valid_o = row_full_q && !row_fresh_q;
+  assign row_valid_o = row_full_q && !row_fresh_q[0];
 
   assign take_header = header_q && open;
   assign take_part = open ? part_q : '0;
@@ -120,9 +122,9 @@ module raster_load #(
     if (!rst_ni) begin
       walk_full_q <= 1'b0;
       row_full_q <= 1'b0;
-      row_fresh_q <= 1'b0;
+      row_fresh_q <= '0;
     end else begin
-      row_fresh_q <= take_go;
+      row_fresh_q <= take_go ? {listed_q, 1'b1} : row_fresh_q >> 1;
       if (take_go) walk_full_q <= 1'b1;
       else if (walk_take_i) walk_full_q <= 1'b0;
       if (take_go || take_end) row_full_q <= 1'b1;
@@ -264,9 +266,14 @@ module raster_load #(
   );
 
   // A part that is not sent is set at the colour part's first row.
-  logic set_constant;
-  assign set_constant = (take_part[gloss_pkg::PART_COLOUR] ||
-                         take_part[gloss_pkg::PART_SMALL_COLOUR]) && row_q == '0 && !alpha_linear_q;
+  logic set_constant, small_first_q;
+
+  always_ff @(posedge clk_i) begin
+    small_first_q <= take_part[gloss_pkg::PART_SMALL_COLOUR] && row_q == '0;
+  end
+
+  assign set_constant = (take_part[gloss_pkg::PART_COLOUR] && row_q == '0 && !alpha_linear_q) ||
+                        small_first_q;
 
   raster_load_alpha #(
     .StreamBits(StreamBits)
@@ -300,8 +307,9 @@ module raster_load #(
       .Channel   (c)
     ) u_colour (
       .clk_i    (clk_i),
-      .write_i  (take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_SMALL_COLOUR]),
-      .small_i  (listed_q),
+      .write_i  (take_part[gloss_pkg::PART_COLOUR]),
+      .small_i  (take_part[gloss_pkg::PART_SMALL_COLOUR]),
+      .listed_i (listed_q),
       .scale_i  (slope_scale),
       .row_i    (row_q),
       .data_i   (data_q),
@@ -322,14 +330,13 @@ module raster_load #(
 
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      header_a_clock_late: assert (!take_header || !row_take_i);
+      header_a_clock_late: assert (!take_header || is_small || !row_take_i);
       depth_two_clocks_late: assert (!take_part[gloss_pkg::PART_DEPTH] ||
                                      !(row_take_i || row_taken_q[0]));
       colour_three_clocks_late: assert (
           !(take_part[gloss_pkg::PART_COLOUR] || take_part[gloss_pkg::PART_ALPHA]) ||
           !(row_take_i || row_taken_q != '0));
-      small_colour_two_clocks_late: assert (!take_part[gloss_pkg::PART_SMALL_COLOUR] ||
-                                            !(row_take_i || row_taken_q[0]));
+      small_colour_a_clock_late: assert (!take_part[gloss_pkg::PART_SMALL_COLOUR] || !row_take_i);
       go_after_a_whole_record: assert (!take_go || !(walk_full_q || row_full_q || take_end));
       alpha_set_once: assert (!(set_constant && take_part[gloss_pkg::PART_ALPHA]));
     end

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The depth part of a record. Wide: 40 bits each, the high bytes in a fourth word. Compact: a word
 // each, sign-extended and shifted left. Small: a word for z, one for both differences and their
-// scale, in the third and fourth word of PART_SMALL; these are changed two clocks after small_i.
+// scale, in the third and fourth word of PART_SMALL; depth_o has them three clocks after small_i.
 module raster_load_depth #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -31,10 +31,11 @@ module raster_load_depth #(
   assign take_high = write_i && row_i == 5'(3/Lanes);
   assign unused_high = ^high;
 
-  // ---- small: the words, and a clock later what they mean ----
-  logic                    small_z_q, small_slopes_q;
-  gloss_pkg::depth_small_t small_q;
-  logic [$bits(depth_o)-1:0] small_plane;
+  // ---- small: what the words mean, kept for a clock ----
+  logic                    take_small_z, take_small_slopes;
+  logic [1:0]              small_z_q, small_slopes_q;  // that they came, one and two clocks ago
+  gloss_pkg::depth_small_t words;
+  logic [$bits(depth_o)-1:0] small_plane_q;
 
   // A choice of four; a shift by a number would become a barrel shifter.
   function automatic logic [CoefficientBits-1:0] scaled(logic [14:0] value, logic [1:0] scale);
@@ -48,14 +49,22 @@ module raster_load_depth #(
     endcase
   endfunction
 
-  always_ff @(posedge clk_i) begin
-    small_z_q <= small_i && row_i == 5'(2/Lanes);
-    small_slopes_q <= small_i && row_i == 5'(3/Lanes);
-    small_q <= {data_i[32*(3%Lanes) +: 32], data_i[32*(2%Lanes) +: 32]};
-  end
+  assign words = {data_i[32*(3%Lanes) +: 32], data_i[32*(2%Lanes) +: 32]};
+  assign take_small_z = small_i && row_i == 5'(2/Lanes);
+  assign take_small_slopes = small_i && row_i == 5'(3/Lanes);
 
-  assign small_plane = {CoefficientBits'(small_q.z) << gloss_pkg::SmallDepthShift,
-                        scaled(small_q.dx, small_q.scale), scaled(small_q.dy, small_q.scale)};
+  always_ff @(posedge clk_i) begin
+    small_z_q <= {small_z_q[0], take_small_z};
+    small_slopes_q <= {small_slopes_q[0], take_small_slopes};
+    if (take_small_z) begin
+      small_plane_q[CoefficientBits*2 +: CoefficientBits] <=
+          CoefficientBits'(words.z) << gloss_pkg::SmallDepthShift;
+    end
+    if (take_small_slopes) begin
+      small_plane_q[0 +: 2*CoefficientBits] <= {scaled(words.dx, words.scale),
+                                                scaled(words.dy, words.scale)};
+    end
+  end
 
   for (genvar n = 0; n < 3; n++) begin : gen_word
     logic [31:0] word;
@@ -65,14 +74,14 @@ module raster_load_depth #(
     assign word = data_i[32*(n%Lanes) +: 32];
     assign take = write_i && row_i == 5'(n/Lanes);
 
-    assign take_small = n == 0 ? small_z_q : small_slopes_q;
+    assign take_small = n == 0 ? small_z_q[1] : small_slopes_q[1];
 
     always_ff @(posedge clk_i) begin
       if (take) value_q[31:0] <= compact_i ? {word[31-Low:0], {Low{1'b0}}} : word;
       if (compact_i ? take : take_high) begin
         value_q[39:32] <= compact_i ? {{(8-Low){word[31]}}, word[31:32-Low]} : high[8*n +: 8];
       end
-      if (take_small) value_q <= small_plane[CoefficientBits*(2-n) +: CoefficientBits];
+      if (take_small) value_q <= small_plane_q[CoefficientBits*(2-n) +: CoefficientBits];
     end
 
     assign plane[CoefficientBits*(2-n) +: CoefficientBits] = value_q;
