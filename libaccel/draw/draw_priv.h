@@ -16,6 +16,7 @@
  *   split.c      what a triangle needs; splitting it at edge midpoints
  *   group.c      triangles that are worked together, and what they share (group.h)
  *   face.c       the stages from a group's vertices to the bin
+ *   few.c        triangles of one or two pixels, which are lit there
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
  *   small.c      the same of small triangles, to short numbers
@@ -312,7 +313,10 @@ void accel_patch_middle(const struct accel_vertex *a, const struct accel_vertex 
 bool accel_patch_divisible(const struct accel_vertex *a, const struct accel_vertex *b);
 /* The middle of a triangle on the screen, not sampled. */
 void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
-/* The colour there of the second-order surface through what vertices and edges were sampled to. */
+/* The place of a pixel's centre, likewise. */
+void accel_patch_pixel(const struct accel_vertex *const corner[3], int x, int y,
+		       struct accel_vertex *vertex);
+/* The colour in a triangle's middle of the second-order surface through what vertices and edges were sampled to. */
 void accel_patch_surface_centre(const struct accel_patch *patch, float colour[3]);
 
 /* ---- shading.c ---- */

@@ -97,7 +97,8 @@ static void face_link_edges(const struct accel_pass *pass)
 		const struct accel_vertex *corner[3];
 
 		face_corners(group, face, corner);
-		if (shading == ACCEL_SHADING_FLAT ||
+		accel_few_find(&face->few, pass, &face->setup);
+		if (face->few.count || shading == ACCEL_SHADING_FLAT ||
 		    (shading == ACCEL_SHADING_GOURAUD && accel_interpolate_straight(corner)))
 			face->edge[0] = ACCEL_NONE;
 		else
@@ -145,8 +146,12 @@ static int face_draw_part(struct accel_pass *pass, const struct accel_depth_plan
 		err = face_draw_part(pass, plane, &pass->group->part[part->child + (uint32_t)i]);
 	if (part->children || !part->draws)
 		return err;
-	face_patch(pass->group, part->vertex, part->edge, part->side, &patch);
 	accel_small_init(&triangle.small, &triangle.setup);
+	if (part->few.count) {
+		accel_few_surface(&triangle, &part->few);
+		return accel_face_bin(pass, &triangle);
+	}
+	face_patch(pass->group, part->vertex, part->edge, part->side, &patch);
 	accel_surface_basis(&basis, patch.vertex);
 	accel_surface_patch(&triangle, &basis, &patch);
 	return accel_face_bin(pass, &triangle);
@@ -198,10 +203,31 @@ static int face_draw(struct accel_pass *pass, const struct faces *list, int i)
 	accel_small_init(&triangle.small, &triangle.setup);
 	if (triangle.small.fits)
 		accel_small_plane(&plane);
+	if (face->few.count) {
+		accel_few_surface(&triangle, &face->few);
+		return accel_face_bin(pass, &triangle);
+	}
 	if (!list->splits[i])
 		return face_draw_whole(pass, face, corner, &basis, &triangle);
 	pass->stats->split++;
 	return face_draw_part(pass, &plane, &pass->group->part[list->root[i]]);
+}
+
+/* Lights the pixels of faces that have but a few. */
+static void face_light_few(const struct accel_pass *pass, struct accel_face *face, int count)
+{
+	struct accel_patch patch[ACCEL_BATCH] = { 0 };
+	struct accel_few *few[ACCEL_BATCH];
+	int many = 0;
+
+	for (int i = 0; i < count; i++) {
+		if (!face[i].few.count)
+			continue;
+		face_corners(pass->group, &face[i], patch[many].vertex);
+		patch[many].side = face[i].side;
+		few[many++] = &face[i].few;
+	}
+	accel_few_light(pass, patch, few, many);
 }
 
 static void face_decide(const struct accel_pass *pass, struct faces *list)
@@ -264,6 +290,7 @@ static int face_draw_batch(struct accel_pass *pass, uint32_t number, int count)
 	int err = 0, end;
 
 	face_decide(pass, &list);
+	face_light_few(pass, &group->face[number], count);
 	for (int first = 0; first < count && !err; first = end) {
 		err = face_split(pass, &list, first, &end);
 		for (int i = first; i < end && !err; i++)

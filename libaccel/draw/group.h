@@ -24,6 +24,19 @@ struct accel_screen {
 	uint32_t outside;
 };
 
+#define ACCEL_FEW 2
+
+struct accel_pixel {
+	int x, y;
+};
+
+/* Of a triangle that has so few, in a lit mesh with adaptive shading: its pixels, and their light. */
+struct accel_few {
+	int count; /* 0: there are more */
+	struct accel_pixel pixel[ACCEL_FEW];
+	float colour[ACCEL_FEW][4];
+};
+
 struct accel_face {
 	uint32_t vertex[3]; /* of the mesh; after accel_group_link of the group */
 	uint32_t flat;      /* vertex that gives a flat triangle its colour, likewise */
@@ -31,6 +44,7 @@ struct accel_face {
 	int side;
 	bool clipped; /* its vertices are of the group from the beginning */
 	struct accel_setup setup;
+	struct accel_few few;
 };
 
 /* A vertex's place in the mesh, and its edges. */
@@ -58,6 +72,7 @@ struct accel_part {
 	int side;
 	bool draws;
 	struct accel_setup setup; /* if it draws; not of a face */
+	struct accel_few few;     /* likewise */
 };
 
 struct accel_group {
@@ -99,6 +114,17 @@ uint32_t accel_group_edge(struct accel_group *group, uint32_t a, uint32_t b);
 void accel_group_link(struct accel_group *group, bool shared);
 /* Finds the edges of a face. */
 void accel_group_link_edges(struct accel_group *group, struct accel_face *face);
+
+/* ---- few.c ---- */
+
+/* Finds the pixels; a triangle of no pixel has more. */
+void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
+		    const struct accel_setup *setup);
+/* Lights them. Of the @count patches only vertices and side are looked at. */
+void accel_few_light(const struct accel_pass *pass, const struct accel_patch *patch,
+		     struct accel_few *const *few, int count);
+/* The surfaces through this light. */
+void accel_few_surface(struct accel_triangle *triangle, const struct accel_few *few);
 
 /* ---- split.c ---- */
 

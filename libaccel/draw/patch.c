@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 /* Places between the vertices of a triangle: the middles of its edges, and its own. */
+#include <math.h>
+
 #include "draw/draw_priv.h"
 
 /* How far from @a and from @b, in space, the point is that is halfway on the screen. */
@@ -41,28 +43,50 @@ bool accel_patch_divisible(const struct accel_vertex *a, const struct accel_vert
 	return a->level < ACCEL_SPLIT_LEVELS && b->level < ACCEL_SPLIT_LEVELS;
 }
 
-void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *vertex)
+/* The point that has so much of each corner in space, in proportion. */
+static void patch_blend(const struct accel_vertex *const corner[3], const float weight[3],
+			struct accel_vertex *vertex)
 {
-	float weight[3], sum = 0;
+	const float sum = weight[0] + weight[1] + weight[2];
 
 	*vertex = (struct accel_vertex){ .w = 1 };
 	for (int i = 0; i < 3; i++) {
-		weight[i] = 1 / patch->vertex[i]->w;
-		sum += weight[i];
-	}
-	for (int i = 0; i < 3; i++) {
-		const struct accel_vertex *corner = patch->vertex[i];
 		float part = weight[i] / sum;
 
 		for (int j = 0; j < 3; j++) {
-			vertex->eye[j] += part * corner->eye[j];
-			vertex->normal[j] += part * corner->normal[j];
+			vertex->eye[j] += part * corner[i]->eye[j];
+			vertex->normal[j] += part * corner[i]->normal[j];
 		}
 		for (int j = 0; j < 4; j++) {
-			vertex->sample.colour[j] += part * corner->sample.colour[j];
-			vertex->paint[j] += part * corner->paint[j];
+			vertex->sample.colour[j] += part * corner[i]->sample.colour[j];
+			vertex->paint[j] += part * corner[i]->paint[j];
 		}
 	}
+}
+
+void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *vertex)
+{
+	float weight[3];
+
+	for (int i = 0; i < 3; i++)
+		weight[i] = 1 / patch->vertex[i]->w;
+	patch_blend(patch->vertex, weight, vertex);
+}
+
+void accel_patch_pixel(const struct accel_vertex *const corner[3], int x, int y,
+		       struct accel_vertex *vertex)
+{
+	const struct accel_vertex centre = {
+		.x = x * ACCEL_WINDOW_ONE + ACCEL_WINDOW_HALF,
+		.y = y * ACCEL_WINDOW_ONE + ACCEL_WINDOW_HALF,
+	};
+	float weight[3];
+
+	for (int i = 0; i < 3; i++)
+		weight[i] = fabsf((float)accel_surface_area(&centre, corner[(i + 1) % 3],
+							    corner[(i + 2) % 3])) /
+			    corner[i]->w;
+	patch_blend(corner, weight, vertex);
 }
 
 void accel_patch_surface_centre(const struct accel_patch *patch, float colour[3])

@@ -12,7 +12,7 @@
 /* A step of a channel. */
 #define STEP (1 / 255.0f)
 /* A midpoint nearer to the straight line than this is taken to be on it. */
-#define STRAIGHT (0.7f * STEP)
+#define STRAIGHT STEP
 /* Errors of the second-order curve beyond this are worth a split. */
 #define CURVE (2.5f * STEP)
 /* Midpoints farther from the straight line than this have their curve examined. */
@@ -409,6 +409,27 @@ static bool shading_inside(const struct accel_pass *pass, const struct accel_pat
 	return shading_deviation(curve, middle->sample.colour) > CURVE;
 }
 
+/*
+ * Is there nothing in a triangle that its edges do not show? Then no highlight can be seen from
+ * where its vertices are, and all of it has the same lights.
+ */
+static bool shading_is_plain(const struct accel_pass *pass, const struct accel_patch *patch,
+			     int side)
+{
+	const struct accel_sample *first = &patch->vertex[0]->sample;
+	float shine = first->shine;
+
+	for (int i = 1; i < 3; i++) {
+		const struct accel_sample *sample = &patch->vertex[i]->sample;
+
+		if (sample->facing != first->facing || sample->in_cone != first->in_cone)
+			return false;
+		shine = number_larger(shine, sample->shine);
+	}
+	return !shading_highlight_near(&pass->lighting.finish[side], shine,
+				       shading_patch_spread(patch));
+}
+
 void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,
 			  int count, int side, bool *inside)
 {
@@ -420,6 +441,8 @@ void accel_shading_inside(const struct accel_pass *pass, const struct accel_patc
 		inside[i] = pass->interpolated && accel_interpolate_inside(patch[i]);
 		if (pass->interpolated ||
 		    !(shading_patch_spread(patch[i]) * shininess > HIGHLIGHT_WIDE))
+			continue;
+		if (shading_is_plain(pass, patch[i], side))
 			continue;
 		accel_patch_centre(patch[i], &middle[looked]);
 		vertex[looked] = &middle[looked];

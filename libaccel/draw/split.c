@@ -303,6 +303,30 @@ static void split_set_up(const struct accel_pass *pass, uint32_t first, uint32_t
 	}
 }
 
+/* Lights the pixels of those that have but a few. */
+static void split_light_few(const struct accel_pass *pass, uint32_t first, uint32_t end)
+{
+	struct accel_patch patch[ACCEL_BATCH] = { 0 };
+	const struct accel_group *group = pass->group;
+	struct accel_few *few[ACCEL_BATCH];
+	int count = 0;
+
+	for (uint32_t n = first; n < end; n++) {
+		struct accel_part *part = &group->part[n];
+
+		if (!part->draws)
+			continue;
+		accel_few_find(&part->few, pass, &part->setup);
+		if (!part->few.count)
+			continue;
+		for (int i = 0; i < 3; i++)
+			patch[count].vertex[i] = &group->vertex[part->vertex[i]];
+		patch[count].side = part->side;
+		few[count++] = &part->few;
+	}
+	accel_few_light(pass, patch, few, count);
+}
+
 /* Finds which of these are to be split. */
 static void split_look(const struct accel_pass *pass, uint32_t first, uint32_t end)
 {
@@ -312,10 +336,11 @@ static void split_look(const struct accel_pass *pass, uint32_t first, uint32_t e
 	uint32_t number[ACCEL_BATCH];
 
 	split_set_up(pass, first, end);
+	split_light_few(pass, first, end);
 	for (uint32_t n = first; n < end; n++) {
 		const struct accel_part *part = &group->part[n];
 
-		if (!part->draws)
+		if (!part->draws || part->few.count)
 			continue;
 		for (int i = 0; i < 3; i++) {
 			patch[count].vertex[i] = &group->vertex[part->vertex[i]];

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/*
+ * Triangles of one or two pixels. No surface through their vertices and edges is as good as the
+ * light at the pixels themselves, and none costs less: no edge has to be lit for them, none is
+ * split, and what is sent is flat, or linear from the one pixel to the other.
+ */
+#include <string.h>
+
+#include "draw/group.h"
+#include "draw/kernel.h"
+
+#define CHANNELS 4
+
+/* Adds pixels @left to @right - 1 of a row; false: they are too many. */
+static bool few_add(struct accel_few *few, int left, int right, int y)
+{
+	if (right - left > ACCEL_FEW - few->count)
+		return false;
+	for (int x = left; x < right; x++)
+		few->pixel[few->count++] = (struct accel_pixel){ x, y };
+	return true;
+}
+
+void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
+		    const struct accel_setup *setup)
+{
+	const struct accel_bounds *visible = &pass->transform.window.visible;
+	int first = number_max(setup->first, visible->y0);
+	int end = number_min(setup->end, visible->y1);
+
+	few->count = 0;
+	if (!pass->lit || pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
+	    setup->end - setup->first > ACCEL_SETUP_ROWS)
+		return;
+	for (int y = first; y < end; y++) {
+		const struct accel_row *row = &setup->row[y - setup->first];
+
+		if (!few_add(few, number_max(row->left, visible->x0),
+			     number_min(row->right, visible->x1), y)) {
+			few->count = 0;
+			return;
+		}
+	}
+}
+
+/* Points that are lit together. */
+struct points {
+	int count;
+	float *colour[ACCEL_BATCH];
+	struct accel_vertex vertex[ACCEL_BATCH];
+};
+
+static void few_flush(const struct accel_pass *pass, struct points *points, int side)
+{
+	struct accel_vertex *vertex[ACCEL_BATCH] = { NULL };
+
+	for (int i = 0; i < points->count; i++)
+		vertex[i] = &points->vertex[i];
+	accel_shading_vertices(pass, vertex, points->count, side);
+	for (int i = 0; i < points->count; i++)
+		memcpy(points->colour[i], points->vertex[i].sample.colour,
+		       sizeof(points->vertex[i].sample.colour));
+	points->count = 0;
+}
+
+static void few_light_side(const struct accel_pass *pass, const struct accel_patch *patch,
+			   struct accel_few *const *few, int count, int side)
+{
+	struct points points;
+
+	points.count = 0;
+	for (int i = 0; i < count; i++) {
+		for (int j = 0; j < few[i]->count && patch[i].side == side; j++) {
+			accel_patch_pixel(patch[i].vertex, few[i]->pixel[j].x, few[i]->pixel[j].y,
+					  &points.vertex[points.count]);
+			points.colour[points.count++] = few[i]->colour[j];
+			if (points.count == ACCEL_BATCH)
+				few_flush(pass, &points, side);
+		}
+	}
+	few_flush(pass, &points, side);
+}
+
+void accel_few_light(const struct accel_pass *pass, const struct accel_patch *patch,
+		     struct accel_few *const *few, int count)
+{
+	for (int side = 0; side <= accel_pass_sides(pass); side++)
+		few_light_side(pass, patch, few, count, side);
+}
+
+/* s10.22 of a difference of steps; to be taken as the integers of a record are. */
+static uint32_t few_fixed(float steps)
+{
+	float scaled = steps * (1 << GLOSS_COLOUR_FRACTION);
+
+	return (uint32_t)(int32_t)(scaled < 0 ? scaled - 0.5f : scaled + 0.5f);
+}
+
+/* Of 0 to 255, as a pixel has it. */
+static int few_level(float colour)
+{
+	return (int)((colour < 1 ? colour : 1) * 255 + 0.5f);
+}
+
+static bool few_same(const struct accel_few *few, int channel)
+{
+	return few_level(few->colour[0][channel]) ==
+	       few_level(few->colour[few->count - 1][channel]);
+}
+
+/* From the first pixel's colour to the last's. */
+static void few_linear(struct accel_triangle *triangle, const struct accel_few *few, int channel)
+{
+	const struct accel_pixel *a = &few->pixel[0], *b = &few->pixel[few->count - 1];
+	const float *from = few->colour[0], *to = few->colour[few->count - 1];
+	int x = b->x - a->x, y = b->y - a->y;
+	float begin = from[channel] < 1 ? from[channel] : 1;
+	float end = to[channel] < 1 ? to[channel] : 1;
+	float step = 255 * (end - begin) / (float)(x * x + y * y);
+
+	triangle->channel[channel] = (struct accel_surface){
+		.i = few_fixed(255 * begin + 0.5f),
+		.dx = few_fixed(step * (float)x),
+		.dy = few_fixed(step * (float)y),
+	};
+}
+
+void accel_few_surface(struct accel_triangle *triangle, const struct accel_few *few)
+{
+	triangle->x = few->pixel[0].x;
+	triangle->y = few->pixel[0].y;
+	accel_surface_flat(triangle, few->colour[0]);
+	if (few_same(few, 0) && few_same(few, 1) && few_same(few, 2) && few_same(few, 3))
+		return;
+	triangle->shading = GLOSS_SHADING_LINEAR;
+	triangle->alpha_linear = !few_same(few, 3);
+	for (int i = 0; i < CHANNELS; i++)
+		few_linear(triangle, few, i);
+}
