@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "draw/content.h"
-#include "draw/ranges.h"
+#include "draw/slices.h"
 
 struct accel_draw {
 	struct accel_device *device;
@@ -14,7 +14,7 @@ struct accel_draw {
 	struct accel_target target;    /* of this frame, a reference to each of its parts */
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
-	struct accel_ranges ranges; /* of a mesh; memory and threads are kept from mesh to mesh */
+	struct accel_slices slices; /* of a mesh; memory and threads are kept from mesh to mesh */
 };
 
 int accel_draw_new(struct accel_device *device, struct accel_draw **out)
@@ -24,19 +24,19 @@ int accel_draw_new(struct accel_device *device, struct accel_draw **out)
 
 	if (!draw)
 		return -ENOMEM;
-	err = accel_ranges_init(&draw->ranges, device->threads, (int)device->info.tile_size);
+	err = accel_slices_init(&draw->slices, device->threads, (int)device->info.tile_size);
 	if (err)
 		goto err_free;
 	err = accel_stream_new(device, &draw->stream);
 	if (err)
-		goto err_free_ranges;
+		goto err_free_slices;
 	draw->device = accel_device_ref(device);
 	accel_bin_init(&draw->bin, (int)device->info.tile_size);
 	*out = draw;
 	return 0;
 
-err_free_ranges:
-	accel_ranges_fini(&draw->ranges, false);
+err_free_slices:
+	accel_slices_fini(&draw->slices, false);
 err_free:
 	free(draw);
 	return err;
@@ -67,7 +67,7 @@ void accel_draw_free(struct accel_draw *draw)
 		return;
 	draw_frame_empty(draw);
 	accel_bin_free(&draw->bin);
-	accel_ranges_fini(&draw->ranges, accel_device_is_inherited(draw->device));
+	accel_slices_fini(&draw->slices, accel_device_is_inherited(draw->device));
 	accel_stream_free(draw->stream);
 	accel_device_unref(draw->device);
 	free(draw);
@@ -219,7 +219,7 @@ static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *stat
 	accel_geometry_init(&pass.transform, state, draw->target.width, draw->target.height);
 	accel_lighting_init(&pass.lighting, state, pass.painted);
 	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
-	return accel_ranges_draw(&draw->ranges, &pass);
+	return accel_slices_draw(&draw->slices, &pass);
 }
 
 int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,

@@ -3,7 +3,7 @@
  * The stages a triangle passes in the library, from a mesh to the frame's command stream:
  *
  *   draw.c       the calls of accel_draw.h
- *   ranges.c     a mesh on several threads (ranges.h)
+ *   slices.c     a mesh on several threads (slices.h)
  *   mesh.c       the triangles of a mesh, culling
  *   fetch.c      elements of a mesh's arrays
  *   geometry.c   vertices to the window, each once

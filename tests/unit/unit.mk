@@ -38,14 +38,14 @@ UNIT_TESTS += $(DRAW_UNIT_TESTS)
 $(call unit,$(DRAW_SQUARE_TESTS)): $(BUILD)/tests/unit/draw/draw_square.o $(DECODE_OBJECTS)
 $(call unit,$(DRAW_SQUARE_TESTS)): private WRAPS := $(call wrap,accel_engine_submit)
 $(call unit,test_group test_kernel): private WRAPS := $(call wrap,accel_stream_lend)
-$(call unit,test_ranges): private WRAPS := $(call wrap,accel_engine_submit malloc realloc)
+$(call unit,test_slices): private WRAPS := $(call wrap,accel_engine_submit malloc realloc)
 $(call unit,test_draw_out_of_memory): private WRAPS := $(call wrap,malloc calloc realloc free)
 
 # ---- object/ and transport/ ----
 
 ACCEL_UNIT_TESTS := test_range test_option test_job_table test_pool test_engine test_device test_buffer \
 	test_sized test_target test_state test_stream test_dump test_fence test_out_of_memory test_unload \
-	test_tile_threads test_workers test_ranges test_transport_sim test_transport_sim_core
+	test_tile_threads test_workers test_slices test_transport_sim test_transport_sim_core
 UNIT_TESTS += test_symbols test_sim_wrapper
 
 $(call unit,test_tile_threads): $(STREAM_RANDOM_OBJS)

@@ -8,7 +8,7 @@
 #include "child_test.h"
 
 #define SIDE 300
-/* A grid of vertices, and triangles enough for many ranges. */
+/* A grid of vertices, and triangles enough for many slices. */
 #define GRID 110u
 #define VERTICES (GRID * GRID)
 #define TRIANGLES (2 * (GRID - 1) * (GRID - 1))
@@ -127,7 +127,7 @@ static struct accel_mesh mesh_of(uint64_t *seed)
 	/* Large ones. */
 	if (mesh.topology != ACCEL_TOPOLOGY_TRIANGLES)
 		mesh.indices = 5000;
-	/* Not always whole triangles, and not always as many as ranges have. */
+	/* Not always whole triangles, and not always as many as slices have. */
 	if (test_below(seed, 2))
 		mesh.indices -= test_below(seed, mesh.indices);
 	return mesh;
