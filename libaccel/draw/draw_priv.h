@@ -19,7 +19,7 @@
  *   few.c        triangles of one or two pixels, which are lit there
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
- *   small.c      the same of small triangles, to short numbers
+ *   small.c      the same of small triangles, to short numbers (small.h)
  *   record.c     one TRIANGLE packet
  *   record_small.c  one TRIANGLE_SMALL packet
  *   bin.c        records by tile (bin.h)

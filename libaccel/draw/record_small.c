@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 /* One TRIANGLE_SMALL packet, if a triangle's numbers at the tile's anchor are such as it has. */
 #include "draw/draw_priv.h"
+#include "draw/small.h"
 
 #define CHANNELS 3
-
-#define SLOPE_BITS 12
-#define BEND_BITS 10
 
 /* first is above last. */
 #define ROW_WITHOUT_PIXEL 1
@@ -36,7 +34,7 @@ static void rows_init(struct rows *rows, const struct accel_place *place)
 		int first = rows_left(place, i) - rows->x;
 		int last = rows_right(place, i) - 1 - rows->x;
 
-		rows->row[i] = (uint8_t)(first > last ? ROW_WITHOUT_PIXEL : last << 4 | first);
+		rows->row[i] = (uint8_t)(first > last ? ROW_WITHOUT_PIXEL : last * 16 + first);
 	}
 }
 
@@ -79,8 +77,7 @@ static void pack_depth(uint32_t *words, const struct accel_triangle *triangle, i
 {
 	const struct accel_depth_plane *plane = triangle->plane;
 	int64_t z = plane->z + (x - plane->x) * plane->dx + (y - plane->y) * plane->dy;
-	unsigned int shift = GLOSS_SMALL_DEPTH_SHIFT +
-			     triangle->small.depth_scale * GLOSS_SMALL_DEPTH_SCALE_SHIFT;
+	unsigned int shift = small_depth_shift(triangle->small.depth_scale);
 
 	gloss_depth_small_pack(words, &(struct gloss_depth_small){
 					      .z = (int32_t)(z >> GLOSS_SMALL_DEPTH_SHIFT),
@@ -88,12 +85,6 @@ static void pack_depth(uint32_t *words, const struct accel_triangle *triangle, i
 					      .dy = (int32_t)(plane->dy >> shift),
 					      .scale = triangle->small.depth_scale,
 				      });
-}
-
-/* Bits that @value needs beside its sign. */
-static uint32_t magnitude(uint32_t value)
-{
-	return value ^ (uint32_t)((int32_t)value >> 31);
 }
 
 /*
@@ -105,9 +96,9 @@ static bool find_scale(uint32_t together, uint32_t bits_set, unsigned int unit, 
 {
 	unsigned int shift = unit;
 
-	for (*scale = 0; *scale < 4 && together >> (shift + bits - 1); ++*scale)
+	for (*scale = 0; *scale < SMALL_SCALES && together >> (shift + bits - 1); ++*scale)
 		shift += step;
-	return *scale < 4 && !(bits_set & ((1u << shift) - 1));
+	return *scale < SMALL_SCALES && !(bits_set & ((1u << shift) - 1));
 }
 
 /* A value that was moved by second differences may have bits below those of a value, too. */
@@ -116,20 +107,21 @@ static bool find_slope_scale(const struct accel_surface surface[CHANNELS], uint3
 	uint32_t together = 0, bits_set = 0, value = 0;
 
 	for (int i = 0; i < CHANNELS; i++) {
-		together |= magnitude(surface[i].dx) | magnitude(surface[i].dy);
+		together |= small_magnitude(surface[i].dx) | small_magnitude(surface[i].dy);
 		bits_set |= surface[i].dx | surface[i].dy;
 		value |= surface[i].i;
 	}
 	return !(value & ((1u << GLOSS_SMALL_SLOPE_SHIFT) - 1)) &&
 	       find_scale(together, bits_set, GLOSS_SMALL_SLOPE_SHIFT,
-			  GLOSS_SMALL_SLOPE_SCALE_SHIFT, SLOPE_BITS, scale);
+			  GLOSS_SMALL_SLOPE_SCALE_SHIFT, SMALL_SLOPE_BITS, scale);
 }
 
 static bool find_bend_scale(const struct accel_surface *s, uint32_t *scale)
 {
-	return find_scale(magnitude(s->dxx) | magnitude(s->dxy) | magnitude(s->dyy),
+	return find_scale(small_magnitude(s->dxx) | small_magnitude(s->dxy) |
+				  small_magnitude(s->dyy),
 			  s->dxx | s->dxy | s->dyy, GLOSS_SMALL_BEND_SHIFT,
-			  GLOSS_SMALL_BEND_SCALE_SHIFT, BEND_BITS, scale);
+			  GLOSS_SMALL_BEND_SCALE_SHIFT, SMALL_BEND_BITS, scale);
 }
 
 static int32_t shifted(uint32_t value, unsigned int shift)
@@ -145,7 +137,7 @@ static uint32_t fraction(uint32_t value)
 static void pack_linear(uint32_t *words, const struct accel_surface surface[CHANNELS],
 			uint32_t scale)
 {
-	unsigned int shift = GLOSS_SMALL_SLOPE_SHIFT + scale * GLOSS_SMALL_SLOPE_SCALE_SHIFT;
+	unsigned int shift = small_slope_shift(scale);
 	const struct accel_surface *red = &surface[0], *green = &surface[1], *blue = &surface[2];
 
 	gloss_colour_linear_small_pack(words,
@@ -169,15 +161,15 @@ static void pack_linear(uint32_t *words, const struct accel_surface surface[CHAN
 /* The word of a channel: dxx, dxy, dyy and their scale are in the same bits of each. */
 static bool pack_bends(uint32_t *words, const struct accel_surface *s)
 {
-	const uint32_t mask = (1u << BEND_BITS) - 1;
+	const uint32_t mask = (1u << SMALL_BEND_BITS) - 1;
 	unsigned int shift;
 	uint32_t scale;
 
 	if (!find_bend_scale(s, &scale))
 		return false;
-	shift = GLOSS_SMALL_BEND_SHIFT + scale * GLOSS_SMALL_BEND_SCALE_SHIFT;
-	*words = (s->dxx >> shift & mask) | (s->dxy >> shift & mask) << BEND_BITS |
-		 (s->dyy >> shift & mask) << 2 * BEND_BITS | scale << 3 * BEND_BITS;
+	shift = small_bend_shift(scale);
+	*words = (s->dxx >> shift & mask) | (s->dxy >> shift & mask) << SMALL_BEND_BITS |
+		 (s->dyy >> shift & mask) << 2 * SMALL_BEND_BITS | scale << 3 * SMALL_BEND_BITS;
 	return true;
 }
 

@@ -11,13 +11,9 @@
 #include <string.h>
 
 #include "draw/draw_priv.h"
+#include "draw/small.h"
 
 #define CHANNELS 3
-#define SCALES 4
-
-#define DEPTH_BITS 15
-#define SLOPE_BITS 12
-#define BEND_BITS 10
 
 /* What rounding may change in a colour, a quarter of a level. */
 #define ERROR_MAX (1 << (GLOSS_COLOUR_FRACTION - 2))
@@ -51,21 +47,6 @@ void accel_small_init(struct accel_small *small, const struct accel_setup *setup
 	small->fits = small->x0 < small->x1 && small->x1 - small->x0 <= ACCEL_SMALL_SIZE;
 }
 
-static unsigned int small_depth_shift(unsigned int scale)
-{
-	return GLOSS_SMALL_DEPTH_SHIFT + scale * GLOSS_SMALL_DEPTH_SCALE_SHIFT;
-}
-
-static unsigned int small_slope_shift(unsigned int scale)
-{
-	return GLOSS_SMALL_SLOPE_SHIFT + scale * GLOSS_SMALL_SLOPE_SCALE_SHIFT;
-}
-
-static unsigned int small_bend_shift(unsigned int scale)
-{
-	return GLOSS_SMALL_BEND_SHIFT + scale * GLOSS_SMALL_BEND_SCALE_SHIFT;
-}
-
 static int64_t small_round_depth(int64_t value, unsigned int shift)
 {
 	return (value + (INT64_C(1) << (shift - 1))) & -(INT64_C(1) << shift);
@@ -79,20 +60,14 @@ static uint32_t small_round(uint32_t value, unsigned int shift)
 
 static bool small_depth_fits(int64_t value, unsigned int shift)
 {
-	int64_t limit = INT64_C(1) << (DEPTH_BITS - 1);
+	int64_t limit = INT64_C(1) << (SMALL_DEPTH_BITS - 1);
 
 	return value >> shift >= -limit && value >> shift < limit;
 }
 
-/* As many bits as the largest of two numbers has, one that is not negative and its sign apart. */
-static uint32_t small_magnitude(uint32_t value)
-{
-	return value ^ (uint32_t)((int32_t)value >> 31);
-}
-
 void accel_small_plane(struct accel_depth_plane *plane)
 {
-	for (unsigned int scale = 0; scale < SCALES; scale++) {
+	for (unsigned int scale = 0; scale < SMALL_SCALES; scale++) {
 		unsigned int shift = small_depth_shift(scale);
 		int64_t dx = small_round_depth(plane->dx, shift);
 		int64_t dy = small_round_depth(plane->dy, shift);
@@ -109,7 +84,7 @@ void accel_small_plane(struct accel_depth_plane *plane)
 /* The least scale that fits; false: the plane is not one that TRIANGLE_SMALL has. */
 static bool small_plane_scale(const struct accel_depth_plane *plane, unsigned int *scale)
 {
-	for (*scale = 0; *scale < SCALES; ++*scale) {
+	for (*scale = 0; *scale < SMALL_SCALES; ++*scale) {
 		unsigned int shift = small_depth_shift(*scale);
 		int64_t rest = (INT64_C(1) << shift) - 1;
 
@@ -128,14 +103,14 @@ static uint32_t small_bends_magnitude(const struct accel_surface *s)
 /* To the least scale that fits; false: they are too large. */
 static bool small_round_bends(struct accel_surface *s, unsigned int *scale)
 {
-	for (*scale = 0; *scale < SCALES; ++*scale) {
+	for (*scale = 0; *scale < SMALL_SCALES; ++*scale) {
 		unsigned int shift = small_bend_shift(*scale);
 		struct accel_surface rounded = *s;
 
 		rounded.dxx = small_round(s->dxx, shift);
 		rounded.dxy = small_round(s->dxy, shift);
 		rounded.dyy = small_round(s->dyy, shift);
-		if (small_bends_magnitude(&rounded) >> (shift + BEND_BITS - 1))
+		if (small_bends_magnitude(&rounded) >> (shift + SMALL_BEND_BITS - 1))
 			continue;
 		*s = rounded;
 		return true;
@@ -187,7 +162,7 @@ static struct reach small_reach(const struct accel_triangle *triangle)
 }
 
 /* What halves of the units come to at that distance: of value, slopes and bends. */
-static bool small_is_exact(struct reach reach, unsigned int slope_scale, unsigned int bend_scale,
+static bool small_is_close(struct reach reach, unsigned int slope_scale, unsigned int bend_scale,
 			   bool bent)
 {
 	int64_t x = reach.x, y = reach.y, pairs = x * (x + 1) / 2 + y * (y + 1) / 2 + x * y;
@@ -221,7 +196,7 @@ static unsigned int small_round_slopes(struct accel_surface channel[CHANNELS])
 			rounded[i].dx = small_round(channel[i].dx, shift);
 			rounded[i].dy = small_round(channel[i].dy, shift);
 		}
-	} while (small_slopes_magnitude(rounded) >> (shift + SLOPE_BITS - 1));
+	} while (small_slopes_magnitude(rounded) >> (shift + SMALL_SLOPE_BITS - 1));
 	memcpy(channel, rounded, sizeof(rounded));
 	return scale - 1;
 }
@@ -255,7 +230,7 @@ static bool small_round_colour(struct accel_triangle *triangle)
 	if (!small_round_orders(channel, bent, u, v, &bend_scale))
 		return false;
 	slope_scale = small_round_slopes(channel);
-	if (!small_is_exact(small_reach(triangle), slope_scale, bend_scale, bent))
+	if (!small_is_close(small_reach(triangle), slope_scale, bend_scale, bent))
 		return false;
 	for (int i = 0; i < CHANNELS; i++)
 		small_move_value(&channel[i], u, v);
