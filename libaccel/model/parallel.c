@@ -180,10 +180,11 @@ static void pass_packet(struct pass *pass, const uint32_t *packet)
 static bool pass_next(struct pass *pass)
 {
 	struct model *model = pass->model;
-	const uint32_t *packet = model->job->stream + model->at;
+	const uint32_t *packet;
 
 	if (!model_check_next(model))
 		return false;
+	packet = model->job->stream + model->at;
 	pass_packet(pass, packet);
 	model->at += 1 + gloss_header_length(packet[0]);
 	return true;

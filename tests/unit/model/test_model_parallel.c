@@ -249,6 +249,16 @@ static void a_fault_ends_the_job_where_it_would_have(void **state)
 	}
 }
 
+static void a_job_without_words_ends(void **state)
+{
+	struct model_test *t = *state;
+
+	t->job.stream = NULL;
+	run_both(&t->job, T, 1);
+	assert_int_equal(other.status.cause, GLOSS_FAULT_NONE);
+	assert_int_equal(other.status.offset, 0);
+}
+
 static void what_is_no_job_is_refused(void **state)
 {
 	struct model_test *t = *state;
@@ -269,6 +279,7 @@ int main(void)
 		model_test_32(a_frames_tiles_are_handed_out_together),
 		model_test_32(what_tiles_have_in_common_keeps_its_order),
 		model_test_32(a_fault_ends_the_job_where_it_would_have),
+		model_test_32(a_job_without_words_ends),
 		model_test_32(what_is_no_job_is_refused),
 		cmocka_unit_test(random_jobs_are_the_same),
 	};
