@@ -58,6 +58,7 @@ module tile_buffer #(
 );
 
   logic drawn_q, stored_q, mark_last_q;
+  logic memory_free_q;  // not drawn_q: drives the ways to and from the memories, which are many
   logic [MarkBits-1:0] mark_q;
   logic [31:0] clear_colour_q, clear_depth_q;
   logic [RowBits-1:0] read_row, write_row;
@@ -69,18 +70,18 @@ module tile_buffer #(
   assign clear_colour_o = clear_colour_q;
   assign clear_depth_o = clear_depth_q;
 
-  assign read_row = drawn_q ? draw_read_row_i : store_read_row_i;
-  assign write_row = drawn_q ? draw_write_row_i : load_row_i;
+  assign read_row = memory_free_q ? store_read_row_i : draw_read_row_i;
+  assign write_row = memory_free_q ? load_row_i : draw_write_row_i;
 
   ram_1r1w #(
     .Width(MarkBits + Width),
     .Depth(Rows)
   ) u_colour (
     .clk_i       (clk_i),
-    .write_en_i  (drawn_q ? draw_write_en_i : load_colour_en_i),
+    .write_en_i  (memory_free_q ? load_colour_en_i : draw_write_en_i),
     .write_addr_i(write_row),
-    .write_data_i(drawn_q ? {mark_q, draw_colour_i} : {load_colour_mark_i, load_data_i}),
-    .read_en_i   (drawn_q ? draw_read_en_i : store_colour_en_i),
+    .write_data_i(memory_free_q ? {load_colour_mark_i, load_data_i} : {mark_q, draw_colour_i}),
+    .read_en_i   (memory_free_q ? store_colour_en_i : draw_read_en_i),
     .read_addr_i (read_row),
     .read_data_o ({colour_mark_o, colour_o})
   );
@@ -90,10 +91,10 @@ module tile_buffer #(
     .Depth(Rows)
   ) u_depth (
     .clk_i       (clk_i),
-    .write_en_i  (drawn_q ? draw_write_en_i : load_depth_en_i),
+    .write_en_i  (memory_free_q ? load_depth_en_i : draw_write_en_i),
     .write_addr_i(write_row),
-    .write_data_i(drawn_q ? {mark_q, draw_depth_i} : {load_depth_mark_i, load_data_i}),
-    .read_en_i   (drawn_q ? draw_read_en_i : store_depth_en_i),
+    .write_data_i(memory_free_q ? {load_depth_mark_i, load_data_i} : {mark_q, draw_depth_i}),
+    .read_en_i   (memory_free_q ? store_depth_en_i : draw_read_en_i),
     .read_addr_i (read_row),
     .read_data_o ({depth_mark_o, depth_o})
   );
@@ -108,6 +109,7 @@ module tile_buffer #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       drawn_q <= 1'b0;
+      memory_free_q <= 1'b1;
       stored_q <= 1'b0;
       // The last one: the rows hold anything, so they are swept before the first tile.
       mark_q <= '1;
@@ -115,10 +117,12 @@ module tile_buffer #(
     end else begin
       if (load_done_i) begin
         drawn_q <= 1'b1;
+        memory_free_q <= 1'b0;
         mark_q <= load_mark_i;
         mark_last_q <= load_mark_i == '1;
       end else if (draw_done_i) begin
         drawn_q <= 1'b0;
+        memory_free_q <= 1'b1;
         stored_q <= 1'b1;
       end else if (store_done_i) begin
         stored_q <= 1'b0;

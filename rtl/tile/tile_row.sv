@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brings a row that fragment reads from either bank to it: clear values one clock after the read,
-// the row from a register two clocks after it. Marks are compared behind that register, because
-// block RAM's output comes late in its clock. A row that is being written when it would be read
-// comes from tile_write instead.
+// the row from a register two clocks after it. Marks are compared before that register, late as
+// block RAM's output is: behind it they would stand in front of the depth test of all lanes. A row
+// that is being written when it would be read comes from tile_write instead.
 module tile_row #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4
@@ -34,23 +34,24 @@ module tile_row #(
   output logic                  depth_fresh_o
 );
 
-  logic bank_q, forward_q;
-  logic [MarkBits-1:0] mark_q, colour_mark_q, depth_mark_q;
+  logic bank_q;
+  logic [1:0] colour_fresh, depth_fresh;
+
+  // For each bank by itself: choosing one of them first would make it later still.
+  for (genvar b = 0; b < 2; b++) begin : gen_bank
+    assign colour_fresh[b] = colour_mark_i[b*MarkBits+:MarkBits] == mark_i[b*MarkBits+:MarkBits];
+    assign depth_fresh[b] = depth_mark_i[b*MarkBits+:MarkBits] == mark_i[b*MarkBits+:MarkBits];
+  end
 
   always_ff @(posedge clk_i) begin
     bank_q <= bank_i;
     clear_colour_o <= clear_colour_i[bank_i*32+:32];
     clear_depth_o <= clear_depth_i[bank_i*32+:32];
 
-    mark_q <= mark_i[bank_q*MarkBits+:MarkBits];
-    colour_mark_q <= colour_mark_i[bank_q*MarkBits+:MarkBits];
-    depth_mark_q <= depth_mark_i[bank_q*MarkBits+:MarkBits];
+    colour_fresh_o <= forward_i || colour_fresh[bank_q];
+    depth_fresh_o <= forward_i || depth_fresh[bank_q];
     colour_o <= forward_i ? forward_colour_i : colour_i[bank_q*Width+:Width];
     depth_o <= forward_i ? forward_depth_i : depth_i[bank_q*Width+:Width];
-    forward_q <= forward_i;
   end
-
-  assign colour_fresh_o = forward_q || colour_mark_q == mark_q;
-  assign depth_fresh_o = forward_q || depth_mark_q == mark_q;
 
 endmodule

@@ -77,16 +77,14 @@ module tile_store #(
   logic [AddressBits-1:0] address_q;
   logic [PitchBits-1:0] pitch_q;
 
-  // The row in the RAM's output, then both parts in registers where one is chosen and its mark
-  // compared, then at the output.
+  // The row in the RAM's output, where its marks are compared, then both parts in registers where
+  // one is chosen, then at the output.
   logic ram_valid_q, ram_depth_q, ram_answer_q, ram_last_q;
   logic word_valid_q, word_is_depth_q, word_answer_q, word_last_q, word_moves;
   logic [Width-1:0] word_colour_q, word_depth_q;
-  logic [MarkBits-1:0] mark_q, word_colour_mark_q, word_depth_mark_q;
-  logic [31:0] clear_colour_q, clear_depth_q;
+  logic [31:0] word_clear_q;
+  logic colour_fresh_q, depth_fresh_q, word_fresh;
   logic [Width-1:0] word;
-  logic [31:0] word_clear;
-  logic word_fresh;
   logic out_valid, out_ready, out_answer, out_last;
   logic [Width-1:0] out_word;
 
@@ -176,8 +174,7 @@ module tile_store #(
   // Rows.
   assign word_moves = !word_valid_q || out_ready;
   assign word = word_is_depth_q ? word_depth_q : word_colour_q;
-  assign word_clear = word_is_depth_q ? clear_depth_q : clear_colour_q;
-  assign word_fresh = word_is_depth_q ? word_depth_mark_q == mark_q : word_colour_mark_q == mark_q;
+  assign word_fresh = word_is_depth_q ? depth_fresh_q : colour_fresh_q;
 
   always_ff @(posedge clk_i) begin
     if (read_en_o) begin
@@ -188,16 +185,13 @@ module tile_store #(
     if (word_moves) begin
       word_colour_q <= colour_i;
       word_depth_q <= depth_i;
-      word_colour_mark_q <= colour_mark_i;
-      word_depth_mark_q <= depth_mark_i;
+      word_clear_q <= ram_depth_q ? clear_depth_i : clear_colour_i;
+      colour_fresh_q <= colour_mark_i == mark_i;
+      depth_fresh_q <= depth_mark_i == mark_i;
       word_is_depth_q <= ram_depth_q;
       word_answer_q <= ram_answer_q;
       word_last_q <= ram_last_q;
     end
-    // These are the tile's as long as its rows are here.
-    mark_q <= mark_i;
-    clear_colour_q <= clear_colour_i;
-    clear_depth_q <= clear_depth_i;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -217,7 +211,7 @@ module tile_store #(
     .rst_ni (rst_ni),
     .valid_i(word_valid_q),
     .ready_o(out_ready),
-    .data_i ({word_answer_q, word_last_q, word_fresh ? word : {PixelsPerClock{word_clear}}}),
+    .data_i ({word_answer_q, word_last_q, word_fresh ? word : {PixelsPerClock{word_clear_q}}}),
     .valid_o(out_valid),
     .ready_i(out_answer ? response_ready_i : store_data_ready_i),
     .data_o ({out_answer, out_last, out_word})
