@@ -33,8 +33,10 @@ struct accel_tile_threads {
 	pthread_t thread[ACCEL_THREADS_MAX];
 };
 
-/* @count threads, 1 to ACCEL_THREADS_MAX, with that of the jobs; the rest as model_init() takes
- * it. */
+/*
+ * Starts none so far. @count is 1 to ACCEL_THREADS_MAX, with the thread that runs jobs; the rest is
+ * what their model was made with.
+ */
 void accel_tile_threads_init(struct accel_tile_threads *threads, unsigned int count, int tile_size,
 			     void *memory, size_t memory_size);
 /* Ends them. No job runs. */
