@@ -15,7 +15,8 @@
  *   interpolate.c  the same for colours that only vertices have
  *   split.c      what a triangle needs; splitting it at edge midpoints
  *   group.c      triangles that are worked together, and what they share (group.h)
- *   face.c       the stages from a group's vertices to the bin
+ *   face.c       the stages from a group's vertices to triangles that are not split
+ *   leaf.c       these, to the bin
  *   few.c        triangles of one or two pixels, which are lit there
  *   surface.c    colours and depth to fixed point
  *   setup.c      edges in remainder form: which pixels of which rows
@@ -68,6 +69,7 @@ struct accel_bounds {
 struct accel_group;        /* group.h */
 struct accel_vertex_batch; /* kernel.h */
 struct accel_setup_batch;
+struct accel_fit_batch;
 struct accel_triangle;
 
 /* ---- vertices ---- */
@@ -301,8 +303,6 @@ void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int 
 
 /* Gives all three the normal of their triangle. */
 void accel_face_flatten(struct accel_vertex *const vertex[3]);
-/* Rounds the triangle if it is small, counts it, and puts it into the bin. */
-int accel_face_bin(struct accel_pass *pass, struct accel_triangle *triangle);
 
 /* ---- patch.c ---- */
 
@@ -311,6 +311,8 @@ void accel_patch_middle(const struct accel_vertex *a, const struct accel_vertex 
 			struct accel_vertex *middle);
 /* Has the middle of an edge a place of its own? */
 bool accel_patch_divisible(const struct accel_vertex *a, const struct accel_vertex *b);
+/* Is one of its edges curved? */
+bool accel_patch_curved(const struct accel_patch *patch);
 /* The middle of a triangle on the screen, not sampled. */
 void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
 /* The place of a pixel's centre, likewise. */
@@ -449,6 +451,11 @@ void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *c
 /* @narrow: the triangle is, so that the plane may be rounded to depth_compact. */
 void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_basis *basis,
 			 const struct accel_vertex *const vertex[3], bool narrow);
+/* The same of triangle @i in a batch (kernel.h). */
+void accel_surface_basis_of(const struct accel_fit_batch *batch, int i, struct accel_basis *basis);
+/* As accel_surface_patch, of patch @i in a batch that has been fitted. */
+void accel_surface_fitted(struct accel_triangle *triangle, const struct accel_fit_batch *batch,
+			  int i, const struct accel_patch *patch);
 /* Surfaces through the patch's samples: flat, linear or second order, as it needs. */
 void accel_surface_patch(struct accel_triangle *triangle, const struct accel_basis *basis,
 			 const struct accel_patch *patch);

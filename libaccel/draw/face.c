@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/bin.h"
 #include "draw/group.h"
 #include "draw/kernel.h"
 
@@ -33,6 +32,7 @@ static void face_normal(const float a[3], const float b[3], const float c[3], fl
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
+		/* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): three of them are there */
 		n[i] = ((double)b[j] - (double)a[j]) * ((double)c[k] - (double)a[k]) -
 		       ((double)b[k] - (double)a[k]) * ((double)c[j] - (double)a[j]);
 	}
@@ -108,22 +108,6 @@ static void face_link_edges(const struct accel_pass *pass)
 
 /* ---- triangles ---- */
 
-int accel_face_bin(struct accel_pass *pass, struct accel_triangle *triangle)
-{
-	accel_small_round(triangle);
-	switch (triangle->shading) {
-	case GLOSS_SHADING_FLAT:
-		pass->stats->flat++;
-		break;
-	case GLOSS_SHADING_LINEAR:
-		pass->stats->linear++;
-		break;
-	default:
-		pass->stats->second_order++;
-	}
-	return accel_bin_triangle(pass->bin, triangle);
-}
-
 static void face_patch(const struct accel_group *group, const uint32_t vertex[3],
 		       const uint32_t edge[3], int side, struct accel_patch *patch)
 {
@@ -134,83 +118,99 @@ static void face_patch(const struct accel_group *group, const uint32_t vertex[3]
 	patch->side = side;
 }
 
-static int face_draw_part(struct accel_pass *pass, const struct accel_depth_plane *plane,
-			  const struct accel_part *part)
-{
-	struct accel_triangle triangle = { .setup = part->setup, .plane = plane };
-	struct accel_basis basis;
-	struct accel_patch patch;
-	int err = 0;
-
-	for (int i = 0; i < part->children && !err; i++)
-		err = face_draw_part(pass, plane, &pass->group->part[part->child + (uint32_t)i]);
-	if (part->children || !part->draws)
-		return err;
-	accel_small_init(&triangle.small, &triangle.setup);
-	if (part->few.count) {
-		accel_few_surface(&triangle, &part->few);
-		return accel_face_bin(pass, &triangle);
-	}
-	face_patch(pass->group, part->vertex, part->edge, part->side, &patch);
-	accel_surface_basis(&basis, patch.vertex);
-	accel_surface_patch(&triangle, &basis, &patch);
-	return accel_face_bin(pass, &triangle);
-}
-
-/* A face that is not split; @triangle has all but its colours. */
-static int face_draw_whole(struct accel_pass *pass, const struct accel_face *face,
-			   const struct accel_vertex *const corner[3],
-			   const struct accel_basis *basis, struct accel_triangle *triangle)
-{
-	const enum accel_shading shading = pass->state->shading;
-	struct accel_patch patch;
-
-	if (face->edge[0] == ACCEL_NONE) {
-		if (shading == ACCEL_SHADING_FLAT)
-			accel_surface_flat(triangle, pass->group->vertex[face->flat].sample.colour);
-		else
-			accel_surface_gouraud(triangle, basis, corner);
-		return accel_face_bin(pass, triangle);
-	}
-	face_patch(pass->group, face->vertex, face->edge, face->side, &patch);
-	if (shading == ACCEL_SHADING_GOURAUD && !patch.edge[0]->curved && !patch.edge[1]->curved &&
-	    !patch.edge[2]->curved)
-		accel_surface_gouraud(triangle, basis, corner);
-	else
-		accel_surface_patch(triangle, basis, &patch);
-	return accel_face_bin(pass, triangle);
-}
-
-/* Faces that are decided on together. */
+/* Faces that are drawn together. */
 struct faces {
 	const struct accel_face *face;
 	int count;
+	struct accel_depth_plane plane[ACCEL_BATCH];
+	struct accel_small small[ACCEL_BATCH];
 	int splits[ACCEL_BATCH];
 	uint32_t root[ACCEL_BATCH]; /* of those that are split */
+	struct accel_leaves leaves; /* of them and their parts, in order */
 };
 
-static int face_draw(struct accel_pass *pass, const struct faces *list, int i)
+/* A place for the next leaf. */
+static int face_leaf(struct accel_pass *pass, struct accel_leaves *leaves, struct accel_leaf **leaf)
+{
+	int err = leaves->count == ACCEL_BATCH ? accel_leaf_flush(pass, leaves) : 0;
+
+	*leaf = &leaves->leaf[leaves->count++];
+	return err;
+}
+
+static int face_draw_part(struct accel_pass *pass, const struct accel_depth_plane *plane,
+			  const struct accel_part *part, struct accel_leaves *leaves)
+{
+	struct accel_leaf *leaf;
+	int err = 0;
+
+	for (int i = 0; i < part->children && !err; i++)
+		err = face_draw_part(pass, plane, &pass->group->part[part->child + (uint32_t)i],
+				     leaves);
+	if (err || part->children || !part->draws)
+		return err;
+	err = face_leaf(pass, leaves, &leaf);
+	*leaf = (struct accel_leaf){
+		.setup = &part->setup,
+		.plane = plane,
+		.few = &part->few,
+		.edged = true,
+	};
+	face_patch(pass->group, part->vertex, part->edge, part->side, &leaf->patch);
+	return err;
+}
+
+static int face_draw(struct accel_pass *pass, struct faces *list, int i)
 {
 	const struct accel_face *face = &list->face[i];
-	const struct accel_vertex *corner[3];
-	struct accel_depth_plane plane;
-	struct accel_triangle triangle = { .setup = face->setup, .plane = &plane };
-	struct accel_basis basis;
+	struct accel_leaf *leaf;
+	int err;
 
-	face_corners(pass->group, face, corner);
-	accel_surface_basis(&basis, corner);
-	accel_surface_plane(&plane, &basis, corner, face->setup.narrow);
-	accel_small_init(&triangle.small, &triangle.setup);
-	if (triangle.small.fits)
-		accel_small_plane(&plane);
-	if (face->few.count) {
-		accel_few_surface(&triangle, &face->few);
-		return accel_face_bin(pass, &triangle);
+	if (list->splits[i]) {
+		pass->stats->split++;
+		return face_draw_part(pass, &list->plane[i], &pass->group->part[list->root[i]],
+				      &list->leaves);
 	}
-	if (!list->splits[i])
-		return face_draw_whole(pass, face, corner, &basis, &triangle);
-	pass->stats->split++;
-	return face_draw_part(pass, &plane, &pass->group->part[list->root[i]]);
+	err = face_leaf(pass, &list->leaves, &leaf);
+	*leaf = (struct accel_leaf){
+		.setup = &face->setup,
+		.plane = &list->plane[i],
+		.small = &list->small[i],
+		.few = &face->few,
+		.flat = &pass->group->vertex[face->flat],
+		.edged = face->edge[0] != ACCEL_NONE,
+	};
+	if (leaf->edged)
+		face_patch(pass->group, face->vertex, face->edge, face->side, &leaf->patch);
+	else
+		face_corners(pass->group, face, leaf->patch.vertex);
+	return err;
+}
+
+/* The depth planes of all faces, which their parts keep. */
+static void face_planes(const struct accel_pass *pass, struct faces *list)
+{
+	const struct accel_vertex *corner[ACCEL_BATCH][3];
+	struct accel_fit_batch batch;
+
+	for (int i = 0; i < list->count; i++) {
+		face_corners(pass->group, &list->face[i], corner[i]);
+		for (int j = 0; j < 3; j++) {
+			batch.x[j][i] = corner[i][j]->x;
+			batch.y[j][i] = corner[i][j]->y;
+		}
+	}
+	accel_kernel()->basis(&batch, list->count);
+	for (int i = 0; i < list->count; i++) {
+		const struct accel_setup *setup = &list->face[i].setup;
+		struct accel_basis basis;
+
+		accel_surface_basis_of(&batch, i, &basis);
+		accel_surface_plane(&list->plane[i], &basis, corner[i], setup->narrow);
+		accel_small_init(&list->small[i], setup);
+		if (list->small[i].fits)
+			accel_small_plane(&list->plane[i]);
+	}
 }
 
 /* Lights the pixels of faces that have but a few. */
@@ -286,15 +286,21 @@ static int face_draw_batch(struct accel_pass *pass, uint32_t number, int count)
 {
 	struct accel_group *group = pass->group;
 	const uint32_t vertices = group->vertices, edges = group->edges;
-	struct faces list = { .face = &group->face[number], .count = count };
+	struct faces list;
 	int err = 0, end;
 
+	list.face = &group->face[number];
+	list.count = count;
+	list.leaves.count = 0;
+	face_planes(pass, &list);
 	face_decide(pass, &list);
 	face_light_few(pass, &group->face[number], count);
 	for (int first = 0; first < count && !err; first = end) {
 		err = face_split(pass, &list, first, &end);
 		for (int i = first; i < end && !err; i++)
 			err = face_draw(pass, &list, i);
+		if (!err)
+			err = accel_leaf_flush(pass, &list.leaves);
 		accel_split_forget(group, vertices, edges);
 	}
 	return err;

@@ -13,7 +13,7 @@
 #ifndef ACCEL_DRAW_GROUP_H
 #define ACCEL_DRAW_GROUP_H
 
-#include "draw/draw_priv.h"
+#include "draw/kernel.h"
 
 #define ACCEL_GROUP_FACES 8192u
 #define ACCEL_NONE UINT32_MAX
@@ -140,6 +140,27 @@ uint32_t accel_split_root(struct accel_group *group, const struct accel_face *fa
 int accel_split_all(const struct accel_pass *pass);
 /* Forgets all parts; @vertices and @edges were there before. */
 void accel_split_forget(struct accel_group *group, uint32_t vertices, uint32_t edges);
+
+/* ---- leaf.c ---- */
+
+/* A face that is not split, or a part that is not. */
+struct accel_leaf {
+	const struct accel_setup *setup;
+	const struct accel_depth_plane *plane;
+	const struct accel_small *small; /* of a face; NULL: not found so far */
+	const struct accel_few *few;
+	const struct accel_vertex *flat; /* of a flat triangle: has its colour */
+	struct accel_patch patch;
+	bool edged; /* has the patch edges? */
+};
+
+struct accel_leaves {
+	int count;
+	struct accel_leaf leaf[ACCEL_BATCH];
+};
+
+/* Draws them, and forgets them. */
+int accel_leaf_flush(struct accel_pass *pass, struct accel_leaves *leaves);
 
 /* ---- face.c ---- */
 

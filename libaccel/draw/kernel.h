@@ -68,6 +68,28 @@ struct accel_setup_batch {
 	int32_t at[2][ACCEL_BATCH], at_r[2][ACCEL_BATCH]; /* of the loops */
 };
 
+/* ---- fit_loop.h ---- */
+
+/* As struct accel_surface. */
+struct accel_surface_batch {
+	int32_t i[ACCEL_BATCH], dx[ACCEL_BATCH], dy[ACCEL_BATCH];
+	int32_t dxx[ACCEL_BATCH], dxy[ACCEL_BATCH], dyy[ACCEL_BATCH];
+};
+
+struct accel_fit_batch {
+	int32_t x[3][ACCEL_BATCH], y[3][ACCEL_BATCH]; /* of triangles that have an area */
+	float colour[6][3][ACCEL_BATCH];              /* of vertices, and of the edges after them */
+	uint32_t curved[ACCEL_BATCH];                 /* is the surface of second order? 0 or 1 */
+	/* As accel_basis; at_x, at_y are its x and y. */
+	int32_t at_x[ACCEL_BATCH], at_y[ACCEL_BATCH];
+	double u[ACCEL_BATCH], v[ACCEL_BATCH], ux[ACCEL_BATCH], uy[ACCEL_BATCH];
+	double vx[ACCEL_BATCH], vy[ACCEL_BATCH];
+	uint32_t flat[ACCEL_BATCH]; /* does it not vary by a step? */
+	float flat_colour[3][ACCEL_BATCH];
+	uint32_t fits[ACCEL_BATCH]; /* are all numbers of its surfaces small enough? */
+	struct accel_surface_batch surface[3];
+};
+
 /* ---- the loops, as one set of instructions has them ---- */
 
 struct accel_kernel {
@@ -84,6 +106,9 @@ struct accel_kernel {
 		      struct accel_light_batch *batch, int count);
 	void (*light_lamp)(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 			   int side, struct accel_light_batch *batch, int count);
+	/* The bases of @count triangles; the same and their surfaces. */
+	void (*basis)(struct accel_fit_batch *batch, int count);
+	void (*fit)(struct accel_fit_batch *batch, int count);
 	/* The edges of @count triangles, and as many rows as accel_setup keeps. */
 	void (*setup)(struct accel_setup_batch *batch, int count,
 		      const struct accel_bounds *visible);

@@ -8,6 +8,7 @@
 #include "draw/geometry_loop.h"
 #include "draw/lighting_loop.h"
 #include "draw/setup_loop.h"
+#include "draw/fit_loop.h"
 
 const struct accel_kernel KERNEL = {
 	.name = KERNEL_NAME,
@@ -16,4 +17,6 @@ const struct accel_kernel KERNEL = {
 	.light = loop_light,
 	.light_lamp = loop_light_lamp,
 	.setup = loop_setup,
+	.basis = loop_basis_batch,
+	.fit = loop_fit,
 };

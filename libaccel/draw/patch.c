@@ -43,6 +43,11 @@ bool accel_patch_divisible(const struct accel_vertex *a, const struct accel_vert
 	return a->level < ACCEL_SPLIT_LEVELS && b->level < ACCEL_SPLIT_LEVELS;
 }
 
+bool accel_patch_curved(const struct accel_patch *patch)
+{
+	return patch->edge[0]->curved || patch->edge[1]->curved || patch->edge[2]->curved;
+}
+
 /* The point that has so much of each corner in space, in proportion. */
 static void patch_blend(const struct accel_vertex *const corner[3], const float weight[3],
 			struct accel_vertex *vertex)

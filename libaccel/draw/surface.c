@@ -8,7 +8,7 @@
  */
 #include <math.h>
 
-#include "draw/draw_priv.h"
+#include "draw/kernel.h"
 
 #define CHANNELS 4
 /*
@@ -288,7 +288,7 @@ void accel_surface_patch(struct accel_triangle *triangle, const struct accel_bas
 		patch->vertex[1]->sample.colour,
 		patch->vertex[2]->sample.colour,
 	};
-	bool curved = patch->edge[0]->curved || patch->edge[1]->curved || patch->edge[2]->curved;
+	bool curved = accel_patch_curved(patch);
 	float flat[CHANNELS] = { 0 };
 
 	triangle->x = basis->x;
@@ -298,4 +298,58 @@ void accel_surface_patch(struct accel_triangle *triangle, const struct accel_bas
 	else if (!curved || !surface_fit_second_order(triangle, basis, patch))
 		surface_triangle_linear(triangle, basis, colour);
 	surface_fit_alpha(triangle, basis, colour);
+}
+
+void accel_surface_basis_of(const struct accel_fit_batch *batch, int i, struct accel_basis *basis)
+{
+	*basis = (struct accel_basis){
+		.x = batch->at_x[i],
+		.y = batch->at_y[i],
+		.u = batch->u[i],
+		.v = batch->v[i],
+		.ux = batch->ux[i],
+		.uy = batch->uy[i],
+		.vx = batch->vx[i],
+		.vy = batch->vy[i],
+	};
+}
+
+static void surface_take(const struct accel_surface_batch *batch, int i,
+			 struct accel_surface *surface)
+{
+	*surface = (struct accel_surface){
+		.i = (uint32_t)batch->i[i],
+		.dx = (uint32_t)batch->dx[i],
+		.dy = (uint32_t)batch->dy[i],
+		.dxx = (uint32_t)batch->dxx[i],
+		.dxy = (uint32_t)batch->dxy[i],
+		.dyy = (uint32_t)batch->dyy[i],
+	};
+}
+
+void accel_surface_fitted(struct accel_triangle *triangle, const struct accel_fit_batch *batch,
+			  int i, const struct accel_patch *patch)
+{
+	const float flat[CHANNELS] = { batch->flat_colour[0][i], batch->flat_colour[1][i],
+				       batch->flat_colour[2][i] };
+	const float *const colour[3] = {
+		patch->vertex[0]->sample.colour,
+		patch->vertex[1]->sample.colour,
+		patch->vertex[2]->sample.colour,
+	};
+	struct accel_basis basis;
+
+	accel_surface_basis_of(batch, i, &basis);
+	if (!batch->flat[i] && !batch->fits[i]) {
+		accel_surface_patch(triangle, &basis, patch);
+		return;
+	}
+	triangle->x = basis.x;
+	triangle->y = basis.y;
+	triangle->shading = batch->curved[i] ? GLOSS_SHADING_SECOND_ORDER : GLOSS_SHADING_LINEAR;
+	for (int j = 0; j < 3; j++)
+		surface_take(&batch->surface[j], i, &triangle->channel[j]);
+	if (batch->flat[i])
+		accel_surface_flat(triangle, flat);
+	surface_fit_alpha(triangle, &basis, colour);
 }

@@ -177,6 +177,79 @@ static void edges_are_the_same_with_all_instructions(void **unused)
 	}
 }
 
+/* Triangles with light at their vertices and edges, some of them flat, some very steep. */
+static void any_patch(uint64_t *seed, struct accel_vertex node[3], struct accel_edge edge[3],
+		      struct accel_patch *patch)
+{
+	int size = 1 << test_between(seed, 3, 12);
+	float change = ldexpf(1, -test_between(seed, 0, 12));
+	bool curved = test_below(seed, 2);
+
+	do
+		for (int i = 0; i < 3; i++)
+			node[i] = vertex_at(test_between(seed, 0, size),
+					    test_between(seed, 0, size));
+	while (!accel_surface_area(&node[0], &node[1], &node[2]));
+	for (int i = 0; i < 3; i++) {
+		edge[i] = (struct accel_edge){ .curved = curved };
+		for (int j = 0; j < 4; j++)
+			node[i].sample.colour[j] = 0.3f + change * test_unit(seed);
+		for (int j = 0; j < 3; j++)
+			edge[i].colour[j] = 0.3f + change * test_unit(seed);
+		patch->vertex[i] = &node[i];
+		patch->edge[i] = &edge[i];
+	}
+}
+
+static void fit_gather(struct accel_fit_batch *batch, int i, const struct accel_patch *patch)
+{
+	for (int j = 0; j < 3; j++) {
+		batch->x[j][i] = patch->vertex[j]->x;
+		batch->y[j][i] = patch->vertex[j]->y;
+		for (int k = 0; k < 3; k++) {
+			batch->colour[j][k][i] = patch->vertex[j]->sample.colour[k];
+			batch->colour[3 + j][k][i] = patch->edge[j]->colour[k];
+		}
+	}
+	batch->curved[i] = patch->edge[0]->curved;
+}
+
+/* Those of one triangle by itself are what they have to be. */
+static void surfaces_are_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_fit_batch batch;
+	uint64_t seed = test_seed();
+	int fitted = 0;
+
+	(void)unused;
+	for (int n = 0; n < 40 * ROUNDS; n++) {
+		struct accel_vertex node[3];
+		struct accel_edge edge[3];
+		struct accel_patch patch;
+		struct accel_triangle wanted, got;
+		struct accel_basis basis;
+
+		any_patch(&seed, node, edge, &patch);
+		memset(&wanted, 0, sizeof(wanted));
+		accel_surface_basis(&basis, patch.vertex);
+		accel_surface_patch(&wanted, &basis, &patch);
+		for (int i = 0; i < n % 9 + 1; i++)
+			fit_gather(&batch, i, &patch);
+		for (int i = 0; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			accel_kernels[i]->fit(&batch, n % 9 + 1);
+			memset(&got, 0, sizeof(got));
+			accel_surface_fitted(&got, &batch, n % 9, &patch);
+			if (wanted.shading == GLOSS_SHADING_FLAT)
+				memset(got.channel, 0, 3 * sizeof(got.channel[0]));
+			assert_memory_equal(&got, &wanted, sizeof(got));
+			fitted += batch.fits[n % 9] && !batch.flat[n % 9];
+		}
+	}
+	assert_true(fitted > 1000);
+}
+
 /* ---- streams ---- */
 
 static uint64_t checksum;
@@ -285,6 +358,7 @@ int main(void)
 		cmocka_unit_test(vertices_are_the_same_with_all_instructions),
 		cmocka_unit_test(light_is_the_same_with_all_instructions),
 		cmocka_unit_test(edges_are_the_same_with_all_instructions),
+		cmocka_unit_test(surfaces_are_the_same_with_all_instructions),
 		cmocka_unit_test(streams_are_the_same_with_all_instructions),
 		cmocka_unit_test(the_library_takes_the_last_that_runs),
 	};
