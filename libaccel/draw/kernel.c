@@ -17,11 +17,11 @@ static _Atomic(const struct accel_kernel *) chosen;
 
 static const struct accel_kernel *kernel_choose(void)
 {
-	const struct accel_kernel *best = accel_kernels[0];
+	const struct accel_kernel *best = &accel_kernel_baseline;
 
-	for (int i = 1; accel_kernels[i]; i++)
-		if (accel_kernels[i]->runs())
-			best = accel_kernels[i];
+	for (const struct accel_kernel *const *kernel = accel_kernels; *kernel; kernel++)
+		if ((*kernel)->runs())
+			best = *kernel;
 	return best;
 }
 

@@ -334,11 +334,10 @@ uint32_t accel_mesh_triangles(const struct accel_mesh *mesh)
 int accel_mesh_draw(struct accel_pass *pass, uint32_t first, uint32_t end)
 {
 	const uint32_t step = pass->mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
-	struct seen seen;
+	struct seen seen = { .count = 0 };
 	uint32_t index[3];
 	int err = 0;
 
-	seen.count = 0;
 	for (uint32_t i = first; i < end && !err; i++) {
 		pass->stats->triangles_in++;
 		mesh_triangle_index(pass->mesh, i * step, index);
