@@ -6,6 +6,22 @@
 #include "draw/group.h"
 #include "draw/kernel.h"
 
+/* All at once, and one by one only if one of them is bad. */
+static int mesh_check_index(struct accel_device *device, const struct accel_mesh *mesh)
+{
+	uint32_t bad = 0, i = 0;
+
+	for (uint32_t n = 0; n < mesh->indices; n++)
+		bad |= mesh->index[n] >= mesh->vertices;
+	if (!bad)
+		return 0;
+	while (mesh->index[i] < mesh->vertices)
+		i++;
+	accel_device_message(device, "index %u is of vertex %u, and the mesh has %u", i,
+			     mesh->index[i], mesh->vertices);
+	return -EINVAL;
+}
+
 static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
 {
 	if (mesh->topology < ACCEL_TOPOLOGY_TRIANGLES ||
@@ -23,14 +39,7 @@ static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh
 						     "a mesh without positions");
 		return -EINVAL;
 	}
-	for (uint32_t i = 0; mesh->index && i < mesh->indices; i++) {
-		if (mesh->index[i] < mesh->vertices)
-			continue;
-		accel_device_message(device, "index %u is of vertex %u, and the mesh has %u", i,
-				     mesh->index[i], mesh->vertices);
-		return -EINVAL;
-	}
-	return 0;
+	return mesh->index ? mesh_check_index(device, mesh) : 0;
 }
 
 int accel_mesh_begin(struct accel_pass *pass)
