@@ -71,6 +71,7 @@ def place(program, core, design, device, option, seed, out):
     if placed.used["TRELLIS_FF"] != expected:
         raise ValueError(f"{core} on {device}: {placed.used['TRELLIS_FF']} registers were placed, "
                          f"the netlist has {expected}, see {log}")
+    print(f"placed: {core} on {device}, seed {seed}: {placed.clock:.1f} MHz", flush=True)
     return placed
 
 
