@@ -152,6 +152,8 @@ def judge(measured, version, accepting):
         failed += gate.failures(golden, version, core, design.core, clock)
     for core in gate.unknown(golden, version, measured):
         print(f"{core}: cells of yosys {version} are not compared, {GOLDEN} has none")
+    for core in sorted(set(measured) - set(golden["fmax_mhz"])):
+        print(f"{core}: its clock is not compared, {GOLDEN} has none")
     return failed, found
 
 

@@ -244,6 +244,13 @@ class Program(unittest.TestCase):
         self.assertEqual(found["pnr.ecp5.fmax_mhz.k1"], 100)
         self.assertEqual(len(found), 12)
 
+    def test_a_clock_that_nobody_accepted(self):
+        with open(f"{OUT}/golden.json", "w", encoding="utf-8") as file:
+            json.dump({"cells": {}, "fmax_mhz": {}}, file)
+        status, said = self.run_pnr(OUT, OUT, "1", "k1")
+        self.assertEqual(status, 0, said)
+        self.assertIn("k1: its clock is not compared", said)
+
     def test_what_got_worse(self):
         self.golden({"yosys 0.23": {"k1": {"ff": 1}}}, 110.0)
         status, said = self.run_pnr(OUT, OUT, "1", "k1")
