@@ -267,8 +267,9 @@ struct accel_draw_stats {
 
 /*
  * A draw collects one frame at a time, and keeps the memory that this took for the next: its
- * stream, 16 bytes for each vertex of the largest mesh, and for triangles that are worked together
- * 900 bytes each, up to 8 MB for each thread that sets up meshes.
+ * stream; 12 bytes for each vertex of the largest mesh, and 4 more for each thread that sets up
+ * meshes; and for the triangles that such a thread works on together 1 KB each, up to 9 MB. While
+ * large triangles are split in many parts it takes 20 MB more.
  */
 int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
 /* Forgets a frame that was not submitted. */
