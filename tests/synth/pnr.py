@@ -55,13 +55,15 @@ def complaint(log):
 
 def place(program, core, design, device, option, seed, out):
     """One run of nextpnr. Raises ValueError if the core does not fit."""
-    name = f"{out}/{core}-{device}-{seed}"
+    # It is run in the folder: the one of PyPI has a /tmp of its own, and sees no other.
+    run = f"{core}-{device}-{seed}"
+    name = f"{out}/{run}"
     command = [program, option, "--package", "CABGA381", "--speed", str(SPEED), "--json",
-               design.path, "--freq", str(TARGET_MHZ), "--seed", str(seed), "--timing-allow-fail",
-               "--lpf-allow-unconstrained", "--report", f"{name}.json", "--sdf", f"{name}.sdf"]
+               os.path.basename(design.path), "--freq", str(TARGET_MHZ), "--seed", str(seed), "--timing-allow-fail",
+               "--lpf-allow-unconstrained", "--report", f"{run}.json", "--sdf", f"{run}.sdf"]
     log = f"{name}.log"
     with open(log, "w", encoding="utf-8") as output:
-        failed = subprocess.run(command, stdout=output, stderr=subprocess.STDOUT,
+        failed = subprocess.run(command, stdout=output, stderr=subprocess.STDOUT, cwd=out,
                                 check=False).returncode
     if failed:
         raise ValueError(f"{core} on {device}, seed {seed}: {complaint(log)}, see {log}")
