@@ -23,7 +23,7 @@
 #define MIB (1ull << 20)
 
 enum {
-	QUEUED = 128,   /* jobs of the greedy client */
+	QUEUED = 128, /* jobs of the greedy client */
 	/* That each lasts at least: longer than the kernel's threads wait on a busy machine. */
 	JOB_US = 150000,
 	/* Jobs that together last far longer than a test may, and move all the time. */
