@@ -9,70 +9,93 @@
 /* Faces that may come at a time: a batch, or what one triangle is clipped to. */
 #define MORE_FACES (ACCEL_BATCH + ACCEL_POLYGON_MAX)
 
-/* Room for @count elements; what is there is kept. */
-static int group_grow(void *list, size_t size, uint32_t *room, size_t count)
+/* @list with room for @count elements; what is there is kept. NULL: -ENOMEM, and @list is as it was. */
+static void *group_grown(void *list, size_t size, size_t count)
 {
-	void **array = list, *grown;
 	size_t bytes;
 
-	if (__builtin_mul_overflow(count, size, &bytes))
-		return -ENOMEM;
-	grown = realloc(*array, bytes);
-	if (!grown)
-		return -ENOMEM;
-	*array = grown;
-	if (room)
-		*room = (uint32_t)count;
-	return 0;
+	return __builtin_mul_overflow(count, size, &bytes) ? NULL : realloc(list, bytes);
 }
 
 /* Between uses it has ACCEL_NONE everywhere. */
 static int group_reserve_of(struct accel_group *group, uint32_t vertices)
 {
-	const uint32_t before = group->of_room;
-	int err = 0;
+	uint32_t *of;
 
-	if (vertices > before)
-		err = group_grow(&group->of, sizeof(*group->of), &group->of_room, vertices);
-	if (!err)
-		for (uint32_t i = before; i < group->of_room; i++)
-			group->of[i] = ACCEL_NONE;
-	return err;
+	if (vertices <= group->of_room)
+		return 0;
+	of = group_grown(group->of, sizeof(*of), vertices);
+	if (!of)
+		return -ENOMEM;
+	group->of = of;
+	for (uint32_t i = group->of_room; i < vertices; i++)
+		of[i] = ACCEL_NONE;
+	group->of_room = vertices;
+	return 0;
 }
 
 static int group_reserve_vertices(struct accel_group *group, size_t count)
 {
-	int err = 0;
+	struct accel_vertex *vertex;
+	struct accel_link *link;
 
 	if (count <= group->vertices_room)
 		return 0;
-	err = group_grow(&group->link, sizeof(*group->link), NULL, count);
-	return err ? err :
-		     group_grow(&group->vertex, sizeof(*group->vertex), &group->vertices_room,
-				count);
+	link = group_grown(group->link, sizeof(*link), count);
+	if (!link)
+		return -ENOMEM;
+	group->link = link;
+	vertex = group_grown(group->vertex, sizeof(*vertex), count);
+	if (!vertex)
+		return -ENOMEM;
+	group->vertex = vertex;
+	group->vertices_room = (uint32_t)count;
+	return 0;
 }
 
 static int group_reserve_edges(struct accel_group *group, size_t count)
 {
-	int err = 0;
+	struct accel_edge *edge;
+	struct accel_ends *ends;
 
 	if (count <= group->edges_room)
 		return 0;
-	err = group_grow(&group->ends, sizeof(*group->ends), NULL, count);
-	return err ? err :
-		     group_grow(&group->edge, sizeof(*group->edge), &group->edges_room, count);
+	ends = group_grown(group->ends, sizeof(*ends), count);
+	if (!ends)
+		return -ENOMEM;
+	group->ends = ends;
+	edge = group_grown(group->edge, sizeof(*edge), count);
+	if (!edge)
+		return -ENOMEM;
+	group->edge = edge;
+	group->edges_room = (uint32_t)count;
+	return 0;
 }
 
-static int group_reserve_faces(struct accel_group *group, uint32_t triangles)
+static int group_reserve_faces(struct accel_group *group, size_t count)
 {
-	size_t faces = (triangles < ACCEL_GROUP_FACES ? triangles : ACCEL_GROUP_FACES) + MORE_FACES;
-	int err = 0;
+	struct accel_face *face;
 
-	if (faces > group->faces_room)
-		err = group_grow(&group->face, sizeof(*group->face), &group->faces_room, faces);
-	if (!err)
-		err = group_reserve_vertices(group, 4 * faces);
-	return err ? err : group_reserve_edges(group, 3 * faces);
+	if (count <= group->faces_room)
+		return 0;
+	face = group_grown(group->face, sizeof(*face), count);
+	if (!face)
+		return -ENOMEM;
+	group->face = face;
+	group->faces_room = (uint32_t)count;
+	return 0;
+}
+
+/* @count is not less than there is room for. */
+static int group_reserve_parts(struct accel_group *group, size_t count)
+{
+	struct accel_part *part = group_grown(group->part, sizeof(*part), count);
+
+	if (!part)
+		return -ENOMEM;
+	group->part = part;
+	group->parts_room = (uint32_t)count;
+	return 0;
 }
 
 /* In steps, so that it seldom happens. */
@@ -89,17 +112,21 @@ int accel_group_reserve_parts(struct accel_group *group, uint32_t vertices, uint
 	if (!err)
 		err = group_reserve_edges(group, group_more(group->edges, edges));
 	if (!err && group->parts + parts > group->parts_room)
-		err = group_grow(&group->part, sizeof(*group->part), &group->parts_room,
-				 group_more(group->parts, parts));
+		err = group_reserve_parts(group, group_more(group->parts, parts));
 	return err;
 }
 
 int accel_group_reserve(struct accel_group *group, uint32_t vertices, uint32_t triangles)
 {
+	size_t faces = (triangles < ACCEL_GROUP_FACES ? triangles : ACCEL_GROUP_FACES) + MORE_FACES;
 	int err = group_reserve_of(group, vertices);
 
 	if (!err)
-		err = group_reserve_faces(group, triangles);
+		err = group_reserve_faces(group, faces);
+	if (!err)
+		err = group_reserve_vertices(group, 4 * faces);
+	if (!err)
+		err = group_reserve_edges(group, 3 * faces);
 	group->faces = group->vertices = group->edges = group->parts = 0;
 	return err;
 }

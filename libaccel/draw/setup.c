@@ -119,19 +119,13 @@ const struct accel_row *accel_setup_rows(const struct accel_setup *setup, int fi
 	return room;
 }
 
-/* false: no pixel of @visible is in the triangle. A large triangle is not looked at. */
-static bool setup_covers(const struct accel_setup *setup, const struct accel_bounds *visible)
+/* Has one of at most LOOK_ROWS rows a pixel of @visible? */
+static bool setup_rows_cover(const struct accel_setup *setup, int first, int end,
+			     const struct accel_bounds *visible)
 {
-	int first = number_max(setup->first, visible->y0);
-	int end = number_min(setup->end, visible->y1);
-	struct accel_row room[LOOK_ROWS];
-	const struct accel_row *row;
+	struct accel_row room[LOOK_ROWS] = { 0 };
+	const struct accel_row *row = accel_setup_rows(setup, first, end, room);
 
-	if (end <= first)
-		return false;
-	if (end - first > LOOK_ROWS)
-		return true;
-	row = accel_setup_rows(setup, first, end, room);
 	for (int i = 0; i < end - first; i++) {
 		int32_t left = number_max(row[i].left, visible->x0);
 		int32_t right = number_min(row[i].right, visible->x1);
@@ -140,6 +134,17 @@ static bool setup_covers(const struct accel_setup *setup, const struct accel_bou
 			return true;
 	}
 	return false;
+}
+
+/* false: no pixel of @visible is in the triangle. A large triangle is not looked at. */
+static bool setup_covers(const struct accel_setup *setup, const struct accel_bounds *visible)
+{
+	int first = number_max(setup->first, visible->y0);
+	int end = number_min(setup->end, visible->y1);
+
+	if (end <= first)
+		return false;
+	return end - first > LOOK_ROWS || setup_rows_cover(setup, first, end, visible);
 }
 
 static void setup_take_line(const struct accel_line_batch *batch, int i, struct accel_line *line)
