@@ -14,7 +14,7 @@ from rtl import ports, run, sources
 
 NOT_IN_CORE = ("port", "board")
 CORE, WRAPPER = "gloss_core", "core_pins"
-# The options that give the best clock of those of yosys 0.23 and 0.52; docs/figures.md has others.
+# Others, such as retiming, have not been compared.
 PASSES = "synth_ecp5 -abc9"
 # What a netlist is counted by: it depends on yosys, and on nothing that is random.
 CELLS = {"lut": "LUT4", "carry": "CCU2C", "lutram": "TRELLIS_DPR16X4", "ff": "TRELLIS_FF",
