@@ -37,54 +37,66 @@ static void random_rows(struct stream_random *r, uint8_t row[ROWS_MAX + 2])
 
 static void random_pixels(struct stream_random *r, uint32_t rows, const uint8_t *row)
 {
+	uint32_t x = below(r, chance(r, 20) ? 64 : (uint32_t)r->tile_size);
+	uint32_t first_row = below(r, (uint32_t)r->tile_size - rows + 1);
 	uint32_t word;
 
-	gloss_pixels_small_pack(&word,
-				&(struct gloss_pixels_small){
-					.x = below(r, chance(r, 20) ? 64 : (uint32_t)r->tile_size),
-					.first_row = below(r, (uint32_t)r->tile_size - rows + 1),
-					.last_row = rows - 1,
-					.first_0 = row[0] & 15u,
-					.last_0 = row[0] >> 4,
-					.first_1 = row[1] & 15u,
-					.last_1 = row[1] >> 4,
-				});
+	gloss_pixels_small_pack(&word, &(struct gloss_pixels_small){
+					       .x = x,
+					       .first_row = first_row,
+					       .last_row = rows - 1,
+					       .first_0 = row[0] & 15u,
+					       .last_0 = row[0] >> 4,
+					       .first_1 = row[1] & 15u,
+					       .last_1 = row[1] >> 4,
+				       });
 	stream_random_emit(r, word);
 }
 
 /* A number of up to @bits bits of random size and sign. */
 static int32_t spread(struct stream_random *r, int bits)
 {
-	int32_t value = (int32_t)(stream_random_word(r) >> 1) >> between(r, 32 - bits, 31);
+	int32_t value = (int32_t)(stream_random_word(r) >> 1);
 
+	value >>= between(r, 32 - bits, 31);
 	return chance(r, 50) ? value : -value;
 }
 
 static void random_depth(struct stream_random *r)
 {
 	uint32_t words[GLOSS_DEPTH_SMALL_WORDS];
+	struct gloss_depth_small depth;
 
-	gloss_depth_small_pack(words, &(struct gloss_depth_small){
-					      .z = chance(r, 15) ? (int32_t)stream_random_word(r) :
-								   (int32_t)below(r, 1 << 28),
-					      .dx = spread(r, 15),
-					      .dy = spread(r, 15),
-					      .scale = below(r, chance(r, 70) ? 2 : 4),
-				      });
+	depth.z = chance(r, 15) ? (int32_t)stream_random_word(r) : (int32_t)below(r, 1 << 28);
+	depth.dx = spread(r, 15);
+	depth.dy = spread(r, 15);
+	depth.scale = below(r, chance(r, 70) ? 2 : 4);
+	gloss_depth_small_pack(words, &depth);
 	stream_random_emit(r, words[0]);
 	stream_random_emit(r, words[1]);
 }
 
 static uint32_t random_slopes(struct stream_random *r)
 {
-	return ((uint32_t)spread(r, 12) & 0xfff) << 8 | ((uint32_t)spread(r, 12) & 0xfff) << 20 |
-	       below(r, 256);
+	uint32_t dx = (uint32_t)spread(r, 12) & 0xfff, dy = (uint32_t)spread(r, 12) & 0xfff;
+
+	return dx << 8 | dy << 20 | below(r, 256);
 }
 
 static uint32_t random_bends(struct stream_random *r)
 {
-	return ((uint32_t)spread(r, 10) & 0x3ff) | ((uint32_t)spread(r, 10) & 0x3ff) << 10 |
-	       ((uint32_t)spread(r, 10) & 0x3ff) << 20 | below(r, 4) << 30;
+	uint32_t dxx = (uint32_t)spread(r, 10) & 0x3ff, dxy = (uint32_t)spread(r, 10) & 0x3ff;
+	uint32_t dyy = (uint32_t)spread(r, 10) & 0x3ff;
+
+	return dxx | dxy << 10 | dyy << 20 | below(r, 4) << 30;
+}
+
+/* Whole parts of the values, and the scale of the differences. */
+static uint32_t random_values(struct stream_random *r)
+{
+	uint32_t red = below(r, 256), green = below(r, 256), blue = below(r, 256);
+
+	return red | green << 10 | blue << 20 | below(r, 3) << 30;
 }
 
 static void random_colour(struct stream_random *r, enum gloss_shading shading)
@@ -95,9 +107,7 @@ static void random_colour(struct stream_random *r, enum gloss_shading shading)
 		stream_random_emit(r, below(r, 1 << 24));
 		return;
 	}
-	stream_random_emit(r, wild ? stream_random_word(r) :
-				     below(r, 256) | below(r, 256) << 10 | below(r, 256) << 20 |
-					      below(r, 3) << 30);
+	stream_random_emit(r, wild ? stream_random_word(r) : random_values(r));
 	for (int channel = 0; channel < 3; channel++)
 		stream_random_emit(r, random_slopes(r));
 	for (int channel = 0; channel < 3 && shading == GLOSS_SHADING_SECOND_ORDER; channel++)
