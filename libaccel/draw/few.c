@@ -24,19 +24,14 @@ static bool few_add(struct accel_few *few, int left, int right, int y)
 void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
 		    const struct accel_setup *setup)
 {
-	const struct accel_bounds *visible = &pass->transform.window.visible;
-	int first = number_max(setup->first, visible->y0);
-	int end = number_min(setup->end, visible->y1);
-
 	few->count = 0;
 	if (!pass->lit || pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
 	    setup->end - setup->first > ACCEL_SETUP_ROWS)
 		return;
-	for (int y = first; y < end; y++) {
+	for (int y = setup->first; y < setup->end; y++) {
 		const struct accel_row *row = &setup->row[y - setup->first];
 
-		if (!few_add(few, number_max(row->left, visible->x0),
-			     number_min(row->right, visible->x1), y)) {
+		if (!few_add(few, row->left, row->right, y)) {
 			few->count = 0;
 			return;
 		}

@@ -117,7 +117,7 @@ void accel_group_link_edges(struct accel_group *group, struct accel_face *face);
 
 /* ---- few.c ---- */
 
-/* Finds the pixels; a triangle of no pixel has more. */
+/* Finds the pixels, whether or not they are visible; a triangle of no pixel has more. */
 void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
 		    const struct accel_setup *setup);
 /* Lights them. Of the @count patches only vertices and side are looked at. */
