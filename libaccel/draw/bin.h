@@ -3,7 +3,7 @@
 #ifndef ACCEL_BIN_H
 #define ACCEL_BIN_H
 
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 
 /* ---- bin.c ---- */
 

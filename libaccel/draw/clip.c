@@ -6,7 +6,7 @@
  * An edge may come from where a double's last digit is larger than all that is seen, and yet pass
  * through the window: along it numbers are wide.
  */
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 #include "draw/wide.h"
 
 static struct accel_wide clip_place(const struct accel_corner *corner, int i)

@@ -8,7 +8,7 @@
 #ifndef ACCEL_DRAW_KERNEL_H
 #define ACCEL_DRAW_KERNEL_H
 
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 
 /* Enough that a call costs nothing, and what it works on fits into a first-level cache. */
 #define ACCEL_BATCH 128

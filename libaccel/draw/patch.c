@@ -2,7 +2,7 @@
 /* Places between the vertices of a triangle: the middles of its edges, and its own. */
 #include <math.h>
 
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 
 /* How far from @a and from @b, in space, the point is that is halfway on the screen. */
 static void patch_halfway(const struct accel_vertex *a, const struct accel_vertex *b, float *of_a,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /* One TRIANGLE packet: a triangle's edges and surfaces, as a tile has them. record_small.c has the
  * short form. */
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 
 int accel_record_anchor_x(const struct accel_place *place)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* One TRIANGLE_SMALL packet, if a triangle's numbers at the tile's anchor are such as it has. */
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 #include "draw/small.h"
 
 #define CHANNELS 3

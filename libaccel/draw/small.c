@@ -10,7 +10,7 @@
  */
 #include <string.h>
 
-#include "draw/draw_priv.h"
+#include "draw/triangle.h"
 #include "draw/small.h"
 
 #define CHANNELS 3
