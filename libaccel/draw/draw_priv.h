@@ -12,6 +12,7 @@
  *   lighting.c   colour at a point of a surface
  *   patch.c      places in the middle of edges and triangles
  *   shading.c    what an edge needs: a straight line, a second-order curve, a split
+ *   spot.c       what of it a spot's cone allows
  *   interpolate.c  the same for colours that only vertices have
  *   split.c      what a triangle needs; splitting it at edge midpoints
  *   group.c      triangles that are worked together, and what they share (group.h)
@@ -336,6 +337,13 @@ void accel_shading_edges(const struct accel_pass *pass, const struct accel_group
 /* Must triangles be split although none of their edges is? @count is at most ACCEL_BATCH. */
 void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,
 			  int count, int side, bool *inside);
+
+/* ---- spot.c ---- */
+
+/* Moves @colour, the light at the middle of an edge, so that no spot's curve takes light away. */
+void accel_spot_bound(const struct accel_pass *pass, const struct accel_vertex *a,
+		      const struct accel_vertex *middle, const struct accel_vertex *b, int side,
+		      float colour[3]);
 
 /* ---- interpolate.c ---- */
 
