@@ -181,7 +181,11 @@ void accel_state_set_shading(struct accel_state *state, enum accel_shading shadi
 
 /* ---- mesh: lent for the duration of a call ---- */
 
-/* What vertices make, in OpenGL's order. Triangles, their strips and fans are drawn so far. */
+/*
+ * What vertices make, in OpenGL's order. What is filled, from triangles to polygons, is drawn so far.
+ * Of vertices that make no whole primitive nothing is drawn. A polygon has to be convex. With
+ * ACCEL_SHADING_FLAT a primitive has the colour of its last vertex, and a polygon that of its first.
+ */
 enum accel_topology {
 	ACCEL_TOPOLOGY_POINTS,
 	ACCEL_TOPOLOGY_LINES,
@@ -195,7 +199,7 @@ enum accel_topology {
 	ACCEL_TOPOLOGY_POLYGON
 };
 
-/* Of a number in an array. FLOAT everywhere and normalised UBYTE for colours are read so far. */
+/* Of a number in an array. */
 enum accel_type {
 	ACCEL_TYPE_FLOAT,
 	ACCEL_TYPE_DOUBLE,
@@ -219,8 +223,8 @@ struct accel_array {
 	const void *data; /* NULL: there is none */
 	uint32_t stride;  /* bytes from an element to the next; 0: no gaps */
 	enum accel_type type;
-	uint8_t components;  /* numbers of an element; 0: all of the attribute */
-	bool normalised;     /* the whole range of an integer type stands for 0 to 1 */
+	uint8_t components;  /* numbers of an element; 0: the most that its comment names */
+	bool normalised;     /* the range of an integer type stands for 0 to 1, signed -1 to 1 */
 	bool constant;       /* the first element is all vertices', @stride is ignored */
 	uint8_t reserved[5]; /* 0 */
 };
@@ -229,14 +233,42 @@ struct accel_mesh {
 	size_t size; /* of this struct, bytes: set by ACCEL_MESH() */
 	enum accel_topology topology;
 	uint32_t vertices;           /* that the arrays have */
-	struct accel_array position; /* x, y, z; or x and y, and z is 0 */
-	struct accel_array normal;   /* x, y, z, of any length; none: flat, from the triangle */
-	struct accel_array colour;   /* RGBA; or RGB, and alpha is 1 */
-	const uint32_t *index;       /* of vertices; NULL: all of them in order */
-	uint32_t indices;            /* ignored without @index */
-	uint32_t reserved;           /* 0 */
+	struct accel_array position; /* x, y, z, for which 0 components stand; or as accel_arrays */
+	struct accel_array normal, colour; /* as accel_arrays */
+	const uint32_t *index;             /* of vertices; NULL: all of them in order */
+	uint32_t indices;                  /* ignored without @index */
+	uint32_t reserved;                 /* 0 */
 };
 #define ACCEL_MESH(...) ACCEL_SIZED(accel_mesh, __VA_ARGS__)
+
+/* ---- arrays and elements: the same in OpenGL's terms, lent for the duration of a call ---- */
+
+struct accel_arrays {
+	size_t size;                 /* of this struct, bytes: set by ACCEL_ARRAYS() */
+	uint32_t vertices;           /* that may be read */
+	uint32_t reserved;           /* 0 */
+	struct accel_array position; /* x, y, z, w; without w it is 1, without z that is 0 */
+	struct accel_array normal;   /* x, y, z, of any length; none: flat, from the triangle */
+	struct accel_array colour;   /* RGBA; or RGB, and alpha is 1 */
+};
+#define ACCEL_ARRAYS(...) ACCEL_SIZED(accel_arrays, __VA_ARGS__)
+
+/* Elements @first to @first + @count - 1, and what they make. */
+struct accel_primitive {
+	enum accel_topology topology;
+	uint32_t first, count;
+};
+
+/* Primitives of one set of arrays, drawn in order: as many as thousands cost no more than one call. */
+struct accel_elements {
+	size_t size; /* of this struct, bytes: set by ACCEL_ELEMENTS() */
+	const struct accel_primitive *primitive;
+	const void *
+		index; /* the vertex of each element, at any address; NULL: element i is vertex i */
+	uint32_t primitives;
+	enum accel_type index_type; /* of @index: UBYTE, USHORT or UINT */
+};
+#define ACCEL_ELEMENTS(...) ACCEL_SIZED(accel_elements, __VA_ARGS__)
 
 /* ---- draw: a frame being collected ---- */
 
@@ -268,8 +300,9 @@ struct accel_draw_stats {
 /*
  * A draw collects one frame at a time, and keeps the memory that this took for the next: its
  * stream; 12 bytes for each vertex of the largest mesh, and 4 more for each thread that sets up
- * meshes; and for the triangles that such a thread works on together 1 KB each, up to 9 MB. While
- * large triangles are split in many parts it takes 20 MB more.
+ * meshes; 4 bytes for each element of the largest call that has few elements of many vertices; and
+ * for the triangles that such a thread works on together 1 KB each, up to 9 MB. While large
+ * triangles are split in many parts it takes 20 MB more.
  */
 int accel_draw_new(struct accel_device *device, struct accel_draw **draw);
 /* Forgets a frame that was not submitted. */
@@ -325,6 +358,19 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes);
  */
 int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
 		    const struct accel_mesh *mesh);
+
+/*
+ * Draws @elements of @arrays as accel_draw_mesh draws a mesh, on the frame's target as @state says.
+ * Of the arrays it reads those vertices, and those attributes, that are drawn. What a program of
+ * OpenGL may get wrong is no error: a primitive with a vertex that is not finite, or is none of
+ * @arrays, is left out, that is a triangle, a quad or a whole polygon.
+ * -EINVAL: no frame was begun; no position array; an array, an index type or a topology that is
+ * none or is not drawn so far; a size that is not set, or a @reserved that is. -E2BIG: @arrays or
+ * @elements has members that are not known. Nothing is drawn then. After -ENOMEM the frame is
+ * forgotten, and to be begun again.
+ */
+int accel_draw_arrays(struct accel_draw *draw, const struct accel_state *state,
+		      const struct accel_arrays *arrays, const struct accel_elements *elements);
 
 /*
  * Fills @stats, of which the caller has @size bytes: sizeof(*stats). The counts so far; stream

@@ -14,14 +14,14 @@ static struct accel_wide clip_place(const struct accel_corner *corner, int i)
 	return (struct accel_wide){ corner->clip[i], corner->rest[i] };
 }
 
-void accel_clip_corner(const struct accel_transform *transform, const float position[3],
+void accel_clip_corner(const struct accel_transform *transform, const float position[4],
 		       struct accel_corner *corner)
 {
 	const double *m = transform->clip;
 
 	accel_geometry_clip_space(transform, position, corner->clip);
 	for (int row = 0; row < 4; row++) {
-		struct accel_wide sum = { m[12 + row], 0 };
+		struct accel_wide sum = accel_wide_of_product(m[12 + row], (double)position[3]);
 
 		for (int i = 0; i < 3; i++)
 			sum = accel_wide_add(sum, accel_wide_of_product(m[4 * i + row],

@@ -199,46 +199,109 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 	return 0;
 }
 
-static int draw_mesh_add(struct accel_draw *draw, const struct accel_state *state,
-			 const struct accel_mesh *mesh)
+/* @strict: what is not finite is an error. After -ENOMEM the frame is lost. */
+static int draw_add(struct accel_draw *draw, const struct accel_state *state,
+		    const struct accel_arrays *arrays, const struct accel_elements *elements,
+		    bool strict)
 {
 	struct accel_pass pass = {
 		.device = draw->device,
 		.state = state,
-		.mesh = mesh,
+		.arrays = arrays,
+		.elements = elements,
+		.strict = strict,
 		.lit = state->lighting,
-		.painted = state->lighting && state->colour_material && mesh->colour.data,
+		.painted = state->lighting && state->colour_material && arrays->colour.data,
 		.interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
-	int err = accel_mesh_begin(&pass);
+	int err = accel_arrays_begin(&pass, &draw->slices.gather);
 
-	if (err)
-		return err;
-	accel_geometry_init(&pass.transform, state, draw->target.width, draw->target.height);
-	accel_lighting_init(&pass.lighting, state, pass.painted);
-	accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
-	return accel_slices_draw(&draw->slices, &pass);
+	if (!err && (pass.triangles || strict)) {
+		accel_geometry_init(&pass.transform, state, draw->target.width,
+				    draw->target.height);
+		if (pass.lit)
+			accel_lighting_init(&pass.lighting, state, pass.painted);
+		accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
+		err = accel_slices_draw(&draw->slices, &pass);
+	}
+	if (err == -ENOMEM)
+		draw_frame_lose(draw);
+	return err;
+}
+
+/* All at once, and one by one only if one of them is bad. */
+static int draw_check_index(const struct accel_draw *draw, const struct accel_mesh *mesh)
+{
+	uint32_t bad = 0, i = 0;
+
+	for (uint32_t n = 0; n < mesh->indices; n++)
+		bad |= mesh->index[n] >= mesh->vertices;
+	if (!bad)
+		return 0;
+	while (mesh->index[i] < mesh->vertices)
+		i++;
+	accel_device_message(draw->device, "index %u is of vertex %u, and the mesh has %u", i,
+			     mesh->index[i], mesh->vertices);
+	return -EINVAL;
 }
 
 int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
-		    const struct accel_mesh *mesh)
+		    const struct accel_mesh *given)
 {
-	struct accel_mesh known;
 	int err = draw_check_begun(draw, "a mesh");
+	struct accel_primitive primitive;
+	struct accel_elements elements;
+	struct accel_arrays arrays;
+	struct accel_mesh mesh;
 
 	if (err)
 		return err;
-	err = accel_sized_in(&known, sizeof(known), mesh);
+	err = accel_sized_in(&mesh, sizeof(mesh), given);
 	if (err) {
 		accel_sized_message(draw->device, "mesh", "ACCEL_MESH", err);
 		return err;
 	}
-	err = draw_mesh_add(draw, state, &known);
-	if (err == -ENOMEM)
-		draw_frame_lose(draw);
-	return err;
+	if (mesh.index)
+		err = draw_check_index(draw, &mesh);
+	if (err)
+		return err;
+	if (!mesh.position.components)
+		mesh.position.components = 3;
+	primitive = (struct accel_primitive){ mesh.topology, 0,
+					      mesh.index ? mesh.indices : mesh.vertices };
+	elements = (struct accel_elements)ACCEL_ELEMENTS(.primitive = &primitive, .primitives = 1,
+							 .index = mesh.index,
+							 .index_type = ACCEL_TYPE_UINT);
+	arrays = (struct accel_arrays)ACCEL_ARRAYS(.vertices = mesh.vertices,
+						   .reserved = mesh.reserved,
+						   .position = mesh.position, .normal = mesh.normal,
+						   .colour = mesh.colour);
+	return draw_add(draw, state, &arrays, &elements, true);
+}
+
+int accel_draw_arrays(struct accel_draw *draw, const struct accel_state *state,
+		      const struct accel_arrays *given_arrays,
+		      const struct accel_elements *given_elements)
+{
+	int err = draw_check_begun(draw, "arrays");
+	struct accel_elements elements;
+	struct accel_arrays arrays;
+
+	if (err)
+		return err;
+	err = accel_sized_in(&arrays, sizeof(arrays), given_arrays);
+	if (err) {
+		accel_sized_message(draw->device, "set of arrays", "ACCEL_ARRAYS", err);
+		return err;
+	}
+	err = accel_sized_in(&elements, sizeof(elements), given_elements);
+	if (err) {
+		accel_sized_message(draw->device, "list of elements", "ACCEL_ELEMENTS", err);
+		return err;
+	}
+	return draw_add(draw, state, &arrays, &elements, false);
 }
 
 void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *stats, size_t size)

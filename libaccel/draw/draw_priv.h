@@ -4,8 +4,10 @@
  *
  *   draw.c       the calls of accel_draw.h
  *   slices.c     a mesh on several threads (slices.h)
- *   mesh.c       the triangles of a mesh, culling
- *   fetch.c      elements of a mesh's arrays
+ *   arrays.c     what a call is given, and which vertices it needs
+ *   primitives.c the triangles of primitives
+ *   mesh.c       vertices to the screen, culling
+ *   fetch.c      elements of arrays
  *   geometry.c   vertices to the window, each once
  *   kernel.c     loops over many of them (kernel.h, *_loop.h), as the processor has instructions
  *   clip.c       triangles that leave the view volume or the guard band
@@ -89,7 +91,9 @@ enum accel_outside {
 	ACCEL_OUTSIDE_LEFT = 1 << 7,
 	ACCEL_OUTSIDE_RIGHT = 1 << 8,
 	ACCEL_OUTSIDE_TOP = 1 << 9,
-	ACCEL_OUTSIDE_BOTTOM = 1 << 10
+	ACCEL_OUTSIDE_BOTTOM = 1 << 10,
+	/* Not finite, or no vertex: what it belongs to is not drawn. */
+	ACCEL_OUTSIDE_INFINITE = 1 << 11
 };
 #define ACCEL_CLIP_PLANES 7
 #define ACCEL_OUTSIDE_CLIP ((1u << ACCEL_CLIP_PLANES) - 1)
@@ -140,11 +144,12 @@ enum accel_attribute { ACCEL_ATTRIBUTE_POSITION, ACCEL_ATTRIBUTE_NORMAL, ACCEL_A
 struct accel_fetch {
 	const uint8_t *data; /* NULL: there is none */
 	size_t step;         /* bytes from an element to the next */
-	uint8_t components;
-	bool bytes; /* instead of floats, 255 is 1 */
+	enum accel_type type;
+	uint8_t size, components;    /* bytes of a number, numbers of an element */
+	double factor, add, divisor; /* of a number that is not of floats */
 };
 
-/* -EINVAL: an array that is not read, and a message says why. */
+/* -EINVAL: an array that is none, and a message says why. */
 int accel_fetch_init(struct accel_fetch *fetch, struct accel_device *device,
 		     enum accel_attribute attribute, const struct accel_array *array);
 /* Components that the array does not have are 0, 0, 0, 1. There must be an array. */
@@ -166,7 +171,7 @@ struct accel_transform {
 
 void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,
 			 int width, int height);
-void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
+void accel_geometry_clip_space(const struct accel_transform *transform, const float position[4],
 			       double clip[4]);
 /* An unpainted vertex, without light. -EINVAL: something is not finite. */
 int accel_geometry_vertex(const struct accel_transform *transform, const float position[3],
@@ -190,7 +195,7 @@ struct accel_corner {
 };
 
 /* Sets clip and rest. */
-void accel_clip_corner(const struct accel_transform *transform, const float position[3],
+void accel_clip_corner(const struct accel_transform *transform, const float position[4],
 		       struct accel_corner *corner);
 
 /*
@@ -248,13 +253,22 @@ void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
 void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
 			     struct accel_vertex *const *vertex, int count);
 
-/* ---- one call of accel_draw_mesh ---- */
+/* ---- one call of accel_draw_mesh or accel_draw_arrays ---- */
 
+/*
+ * What is drawn has vertices with numbers of its own, 0 to @vertices - 1: those of the arrays from
+ * the lowest that is needed on, or, if few of many are needed, a vertex for each element.
+ */
 struct accel_pass {
 	struct accel_device *device; /* for messages */
 	const struct accel_state *state;
-	const struct accel_mesh *mesh;
-	struct accel_fetch position, normal, colour; /* its arrays */
+	const struct accel_arrays *arrays;
+	const struct accel_elements *elements;
+	bool strict; /* a vertex that is not finite is an error */
+	uint32_t base, vertices;
+	const uint32_t *gather; /* vertex of the arrays of each element; NULL: base on */
+	uint64_t triangles;     /* of all primitives */
+	struct accel_fetch position, normal, colour; /* the arrays */
 	bool lit, painted;
 	bool interpolated; /* points between vertices are not lit */
 	struct accel_transform transform;
@@ -277,26 +291,62 @@ static inline int accel_pass_sides(const struct accel_pass *pass)
 	return pass->lit && pass->state->two_sided ? 1 : 0;
 }
 
+/* ---- arrays.c ---- */
+
+/* Memory for pass->gather that is kept from call to call. */
+struct accel_gather {
+	uint32_t *number;
+	size_t room;
+};
+
+/*
+ * Looks at what pass is to draw, all but the content of its arrays, and finds which vertices are
+ * needed. -EINVAL: no position array, or what is not drawn, and a message says what; -ENOMEM.
+ */
+int accel_arrays_begin(struct accel_pass *pass, struct accel_gather *gather);
+/* Vertex number of element @i; at least arrays->vertices: none. */
+uint32_t accel_arrays_element(const struct accel_elements *elements, uint64_t i);
+
+/* ---- primitives.c ---- */
+
+/* How many elements of it are looked at: without indices those that are vertices. */
+uint32_t accel_primitives_elements(const struct accel_pass *pass,
+				   const struct accel_primitive *primitive);
+/* How many triangles these make. */
+uint32_t accel_primitives_triangles(const struct accel_pass *pass,
+				    const struct accel_primitive *primitive);
+
+/* A place in the list of all triangles of a pass. */
+struct accel_walk {
+	const struct accel_pass *pass;
+	const struct accel_primitive *primitive;
+	uint64_t before;    /* elements of the primitives before this one */
+	uint32_t triangle;  /* of the primitive: the next one, */
+	uint32_t triangles; /* of so many */
+	bool whole;         /* all vertices of it, if it is a polygon, can be drawn */
+};
+
+/* Begins with triangle @first, which there is. */
+void accel_primitives_begin(struct accel_walk *walk, const struct accel_pass *pass, uint64_t first);
+/*
+ * The vertices of the next triangle, which there has to be; the last of them is the one that gives
+ * a flat triangle its colour. False: the primitive is not drawn, as a vertex of it can not be.
+ */
+bool accel_primitives_next(struct accel_walk *walk, uint32_t index[3]);
+
 /* ---- mesh.c ---- */
 
 /*
- * Looks at pass->mesh, all but the content of its arrays, and gets ready to fetch from these.
- * -EINVAL: no position array, an index out of range, or what is not drawn.
- */
-int accel_mesh_begin(struct accel_pass *pass);
-/* How many triangles it has, at most. */
-uint32_t accel_mesh_triangles(const struct accel_mesh *mesh);
-/*
- * Fills pass->screen[first] to [end - 1]. Returns the first vertex that is not finite, or @end.
- * Ranges can be worked by different threads.
+ * Fills pass->screen[first] to [end - 1]. Returns the first vertex that is not finite, if pass is
+ * strict, or @end. Ranges can be worked by different threads.
  */
 uint32_t accel_mesh_transform(const struct accel_pass *pass, uint32_t first, uint32_t end);
 /*
- * Draws triangles @first to @end - 1 of accel_mesh_triangles. Threads can draw different ranges,
- * each with a pass whose group, bin and stats are its own.
+ * Draws triangles @first to @end - 1 of the pass. Threads can draw different ranges, each with a
+ * pass whose group, bin and stats are its own.
  */
-int accel_mesh_draw(struct accel_pass *pass, uint32_t first, uint32_t end);
-/* Vertices @index of the mesh, transformed. */
+int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end);
+/* Vertices @index of the pass, transformed. */
 void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
 		      struct accel_vertex_batch *batch);
 

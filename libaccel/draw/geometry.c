@@ -112,10 +112,11 @@ void accel_geometry_init(struct accel_transform *transform, const struct accel_s
 	geometry_window_init(&transform->window, state, width, height);
 }
 
-void accel_geometry_clip_space(const struct accel_transform *transform, const float position[3],
+void accel_geometry_clip_space(const struct accel_transform *transform, const float position[4],
 			       double clip[4])
 {
-	const double at[3] = { (double)position[0], (double)position[1], (double)position[2] };
+	const double at[4] = { (double)position[0], (double)position[1], (double)position[2],
+			       (double)position[3] };
 
 	for (int row = 0; row < 4; row++)
 		clip[row] = geometry_row(transform->clip, row, at);
@@ -164,6 +165,7 @@ int accel_geometry_vertex(const struct accel_transform *transform, const float p
 
 	for (int i = 0; i < 4; i++)
 		batch.paint[i][0] = 1;
+	batch.position[3][0] = 1;
 	for (int i = 0; i < 3; i++) {
 		batch.position[i][0] = position[i];
 		batch.across[i][0] = normal ? normal[i] : 0;

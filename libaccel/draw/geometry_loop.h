@@ -12,7 +12,7 @@ static inline uint32_t loop_finite(float value)
 }
 
 static inline uint32_t loop_place(const struct accel_transform *transform,
-				  struct accel_vertex_batch *batch, int i, const double at[3])
+				  struct accel_vertex_batch *batch, int i, const double at[4])
 {
 	struct geometry_place place;
 	uint32_t finite = 1;
@@ -33,7 +33,7 @@ static inline uint32_t loop_place(const struct accel_transform *transform,
 }
 
 static inline uint32_t loop_eye(const struct accel_transform *transform,
-				struct accel_vertex_batch *batch, int i, const double at[3])
+				struct accel_vertex_batch *batch, int i, const double at[4])
 {
 	double w = geometry_row(transform->eye, 3, at);
 	uint32_t finite = 1;
@@ -82,8 +82,9 @@ static void loop_transform(const struct accel_transform *by, struct accel_vertex
 	const struct accel_transform transform = *by; /* which nothing in @batch can change */
 
 	for (int i = 0; i < count; i++) {
-		const double at[3] = { (double)batch->position[0][i], (double)batch->position[1][i],
-				       (double)batch->position[2][i] };
+		const double at[4] = { (double)batch->position[0][i], (double)batch->position[1][i],
+				       (double)batch->position[2][i],
+				       (double)batch->position[3][i] };
 
 		batch->finite[i] = loop_place(&transform, batch, i, at) &
 				   loop_eye(&transform, batch, i, at);

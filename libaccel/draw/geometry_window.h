@@ -9,9 +9,9 @@
 #define ACCEL_EYE_W_MIN 1e-30
 
 /* A row of a matrix, which is column by column, times a point. */
-static inline double geometry_row(const double m[16], int row, const double at[3])
+static inline double geometry_row(const double m[16], int row, const double at[4])
 {
-	return m[row] * at[0] + m[4 + row] * at[1] + m[8 + row] * at[2] + m[12 + row];
+	return m[row] * at[0] + m[4 + row] * at[1] + m[8 + row] * at[2] + m[12 + row] * at[3];
 }
 
 /* accel_geometry_distance, for a @plane that the compiler knows. */

@@ -22,8 +22,8 @@ void accel_fetch_batch(const struct accel_fetch *fetch, const uint32_t *number, 
 /* ---- geometry_loop.h ---- */
 
 struct accel_vertex_batch {
-	/* Of the mesh; across: its normals. */
-	float position[3][ACCEL_BATCH], across[3][ACCEL_BATCH], paint[4][ACCEL_BATCH];
+	/* Of the arrays; across: normals. */
+	float position[4][ACCEL_BATCH], across[3][ACCEL_BATCH], paint[4][ACCEL_BATCH];
 	/* The rest is as in accel_vertex. What has ACCEL_OUTSIDE_CLIP bits has any x, y, w, z. */
 	double z[ACCEL_BATCH];
 	int32_t x[ACCEL_BATCH], y[ACCEL_BATCH];

@@ -1,62 +1,21 @@
 // SPDX-License-Identifier: MIT
 /* A mesh's triangles, one after the other: their vertices, whether they are seen, which side. */
-#include <errno.h>
 #include <string.h>
 
 #include "draw/group.h"
 #include "draw/kernel.h"
 
-/* All at once, and one by one only if one of them is bad. */
-static int mesh_check_index(struct accel_device *device, const struct accel_mesh *mesh)
+/* Vertices of the arrays, where they are not those of the pass; what is none has any number. */
+static const uint32_t *mesh_gather(const struct accel_pass *pass, const uint32_t *index, int count,
+				   uint32_t gathered[ACCEL_BATCH])
 {
-	uint32_t bad = 0, i = 0;
-
-	for (uint32_t n = 0; n < mesh->indices; n++)
-		bad |= mesh->index[n] >= mesh->vertices;
-	if (!bad)
-		return 0;
-	while (mesh->index[i] < mesh->vertices)
-		i++;
-	accel_device_message(device, "index %u is of vertex %u, and the mesh has %u", i,
-			     mesh->index[i], mesh->vertices);
-	return -EINVAL;
-}
-
-static int mesh_check(struct accel_device *device, const struct accel_mesh *mesh)
-{
-	if (mesh->topology < ACCEL_TOPOLOGY_TRIANGLES ||
-	    mesh->topology > ACCEL_TOPOLOGY_TRIANGLE_FAN) {
-		accel_device_message(device,
-				     "a mesh of topology %u: so far triangles, their strips "
-				     "and fans are drawn, %u to %u",
-				     mesh->topology, ACCEL_TOPOLOGY_TRIANGLES,
-				     ACCEL_TOPOLOGY_TRIANGLE_FAN);
-		return -EINVAL;
+	if (!pass->gather && !pass->base)
+		return index;
+	for (int i = 0; i < count; i++) {
+		gathered[i] = pass->gather ? pass->gather[index[i]] : pass->base + index[i];
+		gathered[i] = gathered[i] < pass->arrays->vertices ? gathered[i] : pass->base;
 	}
-	if (!mesh->position.data || mesh->reserved) {
-		accel_device_message(device, mesh->reserved ?
-						     "a mesh whose reserved member is set" :
-						     "a mesh without positions");
-		return -EINVAL;
-	}
-	return mesh->index ? mesh_check_index(device, mesh) : 0;
-}
-
-int accel_mesh_begin(struct accel_pass *pass)
-{
-	const struct accel_mesh *mesh = pass->mesh;
-	int err = mesh_check(pass->device, mesh);
-
-	if (!err)
-		err = accel_fetch_init(&pass->position, pass->device, ACCEL_ATTRIBUTE_POSITION,
-				       &mesh->position);
-	if (!err)
-		err = accel_fetch_init(&pass->normal, pass->device, ACCEL_ATTRIBUTE_NORMAL,
-				       &mesh->normal);
-	if (!err)
-		err = accel_fetch_init(&pass->colour, pass->device, ACCEL_ATTRIBUTE_COLOUR,
-				       &mesh->colour);
-	return err;
+	return gathered;
 }
 
 void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
@@ -64,8 +23,10 @@ void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int 
 {
 	bool normal = pass->lit && pass->normal.data;
 	bool colour = (!pass->lit || pass->painted) && pass->colour.data;
+	uint32_t gathered[ACCEL_BATCH];
 
-	accel_fetch_batch(&pass->position, index, count, 3, batch->position);
+	index = mesh_gather(pass, index, count, gathered);
+	accel_fetch_batch(&pass->position, index, count, 4, batch->position);
 	if (normal)
 		accel_fetch_batch(&pass->normal, index, count, 3, batch->across);
 	if (colour)
@@ -76,16 +37,24 @@ void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int 
 	accel_kernel()->transform(&pass->transform, batch, count, normal);
 }
 
-/* Keeps what culling needs of vertices from @first on; returns how many there are up to a bad one. */
+/*
+ * Keeps what culling needs of vertices from @first on; returns how many there are up to one that is
+ * an error.
+ */
 static int mesh_keep(const struct accel_pass *pass, uint32_t first, int count,
 		     const struct accel_vertex_batch *batch)
 {
+	const uint32_t vertices = pass->arrays->vertices;
+
 	for (int i = 0; i < count; i++) {
-		if (!batch->finite[i])
+		const uint32_t number = first + (uint32_t)i;
+		bool good = batch->finite[i] && (!pass->gather || pass->gather[number] < vertices);
+
+		if (!good && pass->strict)
 			return i;
-		pass->screen[first + (uint32_t)i] = (struct accel_screen){
-			{ batch->x[i], batch->y[i] }, batch->outside[i]
-		};
+		pass->screen[number] = (struct accel_screen){ { batch->x[i], batch->y[i] },
+							      good ? batch->outside[i] :
+								     ACCEL_OUTSIDE_INFINITE };
 	}
 	return count;
 }
@@ -221,8 +190,10 @@ static int mesh_clip(const struct accel_pass *pass, const struct accel_vertex ve
 {
 	for (int i = 0; i < 3; i++) {
 		float position[4];
+		uint32_t gathered[ACCEL_BATCH];
 
-		accel_fetch_element(&pass->position, index[i], position);
+		accel_fetch_element(&pass->position, *mesh_gather(pass, &index[i], 1, gathered),
+				    position);
 		accel_clip_corner(&pass->transform, position, &polygon[i]);
 		polygon[i].vertex = vertex[i];
 		polygon[i].vertex.sampled = 0;
@@ -315,42 +286,21 @@ static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3], s
 	return seen->count == ACCEL_BATCH ? mesh_flush(pass, seen) : 0;
 }
 
-/* The vertices of the triangle that element @i of the mesh begins. */
-static void mesh_triangle_index(const struct accel_mesh *mesh, uint32_t i, uint32_t index[3])
+int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end)
 {
-	uint32_t element[3] = { i, i + 1, i + 2 };
-
-	if (mesh->topology == ACCEL_TOPOLOGY_TRIANGLE_FAN)
-		element[0] = 0;
-	/* Every second triangle of a strip turns the other way. */
-	if (mesh->topology == ACCEL_TOPOLOGY_TRIANGLE_STRIP && i % 2) {
-		element[0] = i + 1;
-		element[1] = i;
-	}
-	for (int j = 0; j < 3; j++)
-		index[j] = mesh->index ? mesh->index[element[j]] : element[j];
-}
-
-uint32_t accel_mesh_triangles(const struct accel_mesh *mesh)
-{
-	uint32_t elements = mesh->index ? mesh->indices : mesh->vertices;
-
-	if (elements < 3)
-		return 0;
-	return mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? elements / 3 : elements - 2;
-}
-
-int accel_mesh_draw(struct accel_pass *pass, uint32_t first, uint32_t end)
-{
-	const uint32_t step = pass->mesh->topology == ACCEL_TOPOLOGY_TRIANGLES ? 3 : 1;
 	struct seen seen = { .count = 0 };
+	struct accel_walk walk;
 	uint32_t index[3];
 	int err = 0;
 
-	for (uint32_t i = first; i < end && !err; i++) {
+	if (first < end)
+		accel_primitives_begin(&walk, pass, first);
+	for (uint64_t i = first; i < end && !err; i++) {
 		pass->stats->triangles_in++;
-		mesh_triangle_index(pass->mesh, i * step, index);
-		err = mesh_put_triangle(pass, index, &seen);
+		if (accel_primitives_next(&walk, index))
+			err = mesh_put_triangle(pass, index, &seen);
+		else
+			pass->stats->culled++;
 	}
 	if (!err)
 		err = mesh_flush(pass, &seen);

@@ -57,6 +57,7 @@ void accel_slices_fini(struct accel_slices *slices, bool inherited)
 	free(slices->slice);
 	free(slices->group);
 	free(slices->screen);
+	free(slices->gather.number);
 }
 
 static int slices_reserve_screens(struct accel_slices *slices, uint32_t vertices)
@@ -80,18 +81,18 @@ static int slices_reserve_screens(struct accel_slices *slices, uint32_t vertices
 struct share {
 	struct accel_slices *slices;
 	const struct accel_pass *pass;
-	uint32_t first;            /* triangle of the first slice */
+	uint64_t first;            /* triangle of the first slice */
 	uint32_t size;             /* triangles of a slice */
-	uint32_t end;              /* of all triangles */
+	uint64_t end;              /* of all triangles */
 	_Atomic uint32_t infinite; /* the first vertex that is not finite, or how many there are */
 };
 
-static uint32_t slice_end(uint32_t first, uint32_t size, uint32_t end)
+static uint64_t slice_end(uint64_t first, uint64_t size, uint64_t end)
 {
 	return end - first < size ? end : first + size;
 }
 
-static uint32_t slices_of(uint32_t count, uint32_t size)
+static uint64_t slices_of(uint64_t count, uint32_t size)
 {
 	return count / size + (count % size != 0);
 }
@@ -101,8 +102,8 @@ static uint32_t slices_of(uint32_t count, uint32_t size)
 static void slices_transform_one(void *data, unsigned int worker, uint32_t item)
 {
 	struct share *share = data;
-	const uint32_t vertices = share->pass->mesh->vertices, first = item * SLICE_VERTICES;
-	const uint32_t end = slice_end(first, SLICE_VERTICES, vertices);
+	const uint32_t vertices = share->pass->vertices, first = item * SLICE_VERTICES;
+	const uint32_t end = (uint32_t)slice_end(first, SLICE_VERTICES, vertices);
 	uint32_t found = accel_mesh_transform(share->pass, first, end);
 	uint32_t least = atomic_load(&share->infinite);
 
@@ -114,14 +115,14 @@ static void slices_transform_one(void *data, unsigned int worker, uint32_t item)
 
 static int slices_transform(struct accel_slices *slices, const struct accel_pass *pass, bool alone)
 {
-	const uint32_t vertices = pass->mesh->vertices;
+	const uint32_t vertices = pass->vertices;
 	struct share share = { .slices = slices, .pass = pass, .infinite = vertices };
 
 	if (alone)
 		share.infinite = accel_mesh_transform(pass, 0, vertices);
 	else
 		accel_workers_run(&slices->workers, slices_transform_one, &share,
-				  slices_of(vertices, SLICE_VERTICES));
+				  (uint32_t)slices_of(vertices, SLICE_VERTICES));
 	if (share.infinite == vertices)
 		return 0;
 	accel_device_message(pass->device, "vertex %u of the mesh is not finite", share.infinite);
@@ -133,7 +134,7 @@ static int slices_transform(struct accel_slices *slices, const struct accel_pass
 static void slices_draw_one(void *data, unsigned int worker, uint32_t item)
 {
 	const struct share *share = data;
-	const uint32_t first = share->first + item * share->size;
+	const uint64_t first = share->first + (uint64_t)item * share->size;
 	struct accel_slice *slice = &share->slices->slice[item];
 	struct accel_pass pass = *share->pass;
 
@@ -143,7 +144,7 @@ static void slices_draw_one(void *data, unsigned int worker, uint32_t item)
 	pass.stats = &slice->stats;
 	slice->err = accel_bin_part_begin(&slice->bin, share->pass->bin);
 	if (!slice->err)
-		slice->err = accel_group_reserve(pass.group, pass.mesh->vertices, share->size);
+		slice->err = accel_group_reserve(pass.group, pass.vertices, share->size);
 	if (!slice->err)
 		slice->err = accel_mesh_draw(&pass, first,
 					     slice_end(first, share->size, share->end));
@@ -166,39 +167,39 @@ static int slices_append(const struct accel_pass *pass, struct accel_slice *slic
 	return slice->err ? slice->err : accel_bin_append(pass->bin, &slice->bin);
 }
 
-static uint32_t slices_size(const struct accel_slices *slices, uint32_t triangles)
+static uint32_t slices_size(const struct accel_slices *slices, uint64_t triangles)
 {
-	uint32_t size = triangles / slices->slices + 1;
+	uint64_t size = triangles / slices->slices + 1;
 
 	if (size < TRIANGLES_LEAST)
 		return TRIANGLES_LEAST;
-	return size < TRIANGLES_MOST ? size : TRIANGLES_MOST;
+	return size < TRIANGLES_MOST ? (uint32_t)size : TRIANGLES_MOST;
 }
 
-static int slices_draw_shared(struct accel_slices *slices, const struct accel_pass *pass,
-			      uint32_t triangles)
+static int slices_draw_shared(struct accel_slices *slices, const struct accel_pass *pass)
 {
+	const uint64_t triangles = pass->triangles;
 	struct share share = { .slices = slices, .pass = pass, .end = triangles };
 	int err = 0;
 
 	share.size = slices_size(slices, triangles);
 	while (share.first < triangles && !err) {
-		uint32_t count = slices_of(triangles - share.first, share.size);
+		uint64_t left = slices_of(triangles - share.first, share.size);
+		uint32_t count = left < slices->slices ? (uint32_t)left : slices->slices;
 
-		if (count > slices->slices)
-			count = slices->slices;
 		accel_workers_run(&slices->workers, slices_draw_one, &share, count);
 		for (uint32_t i = 0; i < count && !err; i++)
 			err = slices_append(pass, &slices->slice[i]);
-		share.first = slice_end(share.first, count * share.size, triangles);
+		share.first = slice_end(share.first, (uint64_t)count * share.size, triangles);
 	}
 	return err;
 }
 
-static int slices_draw_alone(struct accel_slices *slices, struct accel_pass *pass,
-			     uint32_t triangles)
+static int slices_draw_alone(struct accel_slices *slices, struct accel_pass *pass)
 {
-	int err = accel_group_reserve(&slices->group[0], pass->mesh->vertices, triangles);
+	const uint64_t triangles = pass->triangles;
+	const uint32_t most = triangles < UINT32_MAX ? (uint32_t)triangles : UINT32_MAX;
+	int err = accel_group_reserve(&slices->group[0], pass->vertices, most);
 
 	pass->group = &slices->group[0];
 	return err ? err : accel_mesh_draw(pass, 0, triangles);
@@ -206,16 +207,14 @@ static int slices_draw_alone(struct accel_slices *slices, struct accel_pass *pas
 
 int accel_slices_draw(struct accel_slices *slices, struct accel_pass *pass)
 {
-	const uint32_t triangles = accel_mesh_triangles(pass->mesh);
 	const bool alone = slices->threads == 1 || accel_device_is_inherited(pass->device) ||
-			   triangles <= TRIANGLES_LEAST;
-	int err = slices_reserve_screens(slices, pass->mesh->vertices);
+			   pass->triangles <= TRIANGLES_LEAST;
+	int err = slices_reserve_screens(slices, pass->vertices);
 
 	pass->screen = slices->screen;
 	if (!err)
 		err = slices_transform(slices, pass, alone);
-	if (err)
+	if (err || !pass->triangles)
 		return err;
-	return alone ? slices_draw_alone(slices, pass, triangles) :
-		       slices_draw_shared(slices, pass, triangles);
+	return alone ? slices_draw_alone(slices, pass) : slices_draw_shared(slices, pass);
 }

@@ -22,6 +22,7 @@ struct accel_slices {
 	uint32_t slices;
 	struct accel_screen *screen; /* of each vertex of the mesh */
 	uint32_t screens_room;
+	struct accel_gather gather;
 };
 
 /* Memory for as many @threads, none of which is started; @slices must not move. -ENOMEM. */
@@ -29,8 +30,9 @@ int accel_slices_init(struct accel_slices *slices, unsigned int threads, int til
 /* @inherited: in a child of fork(), which has none of the threads. */
 void accel_slices_fini(struct accel_slices *slices, bool inherited);
 /*
- * Draws pass->mesh, which accel_mesh_begin() has looked at, in pass->bin. In a child of fork() the
- * calling thread does it alone. -EINVAL: a vertex is not finite, and a message says which; -ENOMEM.
+ * Draws what accel_arrays_begin() has looked at, in pass->bin. In a child of fork() the calling
+ * thread does it alone. -EINVAL: a vertex of a strict pass is not finite, and a message says which;
+ * -ENOMEM.
  */
 int accel_slices_draw(struct accel_slices *slices, struct accel_pass *pass);
 

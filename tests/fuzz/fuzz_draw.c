@@ -131,7 +131,10 @@ static void boards_close(void)
 
 /* ---- calls ---- */
 
-/* Of @data that has VERTICES elements of @most floats; no element reaches behind them. */
+/* What the arrays have for a vertex: room for the largest element. */
+#define ELEMENT_FLOATS 8
+
+/* Of @data that has VERTICES times ELEMENT_FLOATS; no element reaches behind them. */
 static struct accel_array any_array(const void *data, int most)
 {
 	struct accel_array array = { .data = data };
@@ -144,8 +147,8 @@ static struct accel_array any_array(const void *data, int most)
 		array.type = ACCEL_TYPE_UBYTE;
 		array.normalised = !one_in(20);
 	}
-	if (one_in(50))
-		array.type = (enum accel_type)any_int();
+	if (one_in(5))
+		array.type = (enum accel_type)(one_in(10) ? any_int() : below(ACCEL_TYPE_UINT + 1));
 	array.constant = one_in(20);
 	return array;
 }
@@ -154,20 +157,36 @@ static enum accel_topology any_topology(void)
 {
 	if (one_in(50))
 		return (enum accel_topology)any_int();
-	return (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES + below(3));
+	return (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES + below(6));
+}
+
+static float position[VERTICES][ELEMENT_FLOATS], normal[VERTICES][ELEMENT_FLOATS];
+static float colour[VERTICES][ELEMENT_FLOATS];
+static uint32_t indices[INDICES];
+
+static void fill_arrays(uint32_t vertices)
+{
+	any_floats(&position[0][0], VERTICES * ELEMENT_FLOATS);
+	any_floats(&normal[0][0], VERTICES * ELEMENT_FLOATS);
+	any_floats(&colour[0][0], VERTICES * ELEMENT_FLOATS);
+	for (int i = 0; i < INDICES; i++)
+		indices[i] = one_in(1000) ? (uint32_t)random_word() :
+					    (uint32_t)below((int)vertices + !vertices);
+}
+
+static void drawn_as(const char *call, int err)
+{
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), call, err);
+	meshes++;
+	taken += !err;
 }
 
 static void draw_mesh(const struct board *board)
 {
-	static float position[VERTICES][3], normal[VERTICES][3], colour[VERTICES][4];
-	static uint32_t index[INDICES];
 	struct accel_mesh mesh = ACCEL_MESH(.topology = any_topology());
-	int err;
 
-	any_floats(&position[0][0], VERTICES * 3);
-	any_floats(&normal[0][0], VERTICES * 3);
-	any_floats(&colour[0][0], VERTICES * 4);
 	mesh.vertices = (uint32_t)below(VERTICES + 1);
+	fill_arrays(mesh.vertices);
 	if (one_in(2)) {
 		mesh.position = (struct accel_array){ .data = position };
 		mesh.normal = any_array(one_in(3) ? NULL : normal, 3);
@@ -177,15 +196,38 @@ static void draw_mesh(const struct board *board)
 	}
 	mesh.colour = any_array(one_in(3) ? NULL : colour, 4);
 	mesh.indices = (uint32_t)below(INDICES + 1);
-	mesh.index = one_in(2) ? index : NULL;
-	for (int i = 0; i < INDICES; i++)
-		index[i] = one_in(1000) ? (uint32_t)random_word() :
-					  (uint32_t)below((int)mesh.vertices + !mesh.vertices);
+	mesh.index = one_in(2) ? indices : NULL;
 	failed = false;
-	err = accel_draw_mesh(board->draw, state, &mesh);
-	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_mesh", err);
-	meshes++;
-	taken += !err;
+	drawn_as("accel_draw_mesh", accel_draw_mesh(board->draw, state, &mesh));
+}
+
+/* Indices are of four bytes at least, so as many of any type can be read. */
+static void draw_arrays(const struct board *board)
+{
+	struct accel_primitive primitive[4];
+	struct accel_arrays arrays = ACCEL_ARRAYS(.vertices = (uint32_t)below(VERTICES + 1));
+	struct accel_elements elements = ACCEL_ELEMENTS(.primitive = primitive,
+							.primitives = (uint32_t)below(5));
+
+	fill_arrays(arrays.vertices);
+	arrays.position = any_array(one_in(50) ? NULL : position, 4);
+	arrays.normal = any_array(one_in(3) ? NULL : normal, 3);
+	arrays.colour = any_array(one_in(3) ? NULL : colour, 4);
+	if (one_in(2)) {
+		elements.index = indices;
+		elements.index_type = one_in(3) ? ACCEL_TYPE_UBYTE :
+				      one_in(2) ? ACCEL_TYPE_USHORT :
+						  ACCEL_TYPE_UINT;
+	}
+	for (int i = 0; i < 4; i++) {
+		primitive[i].topology = any_topology();
+		primitive[i].first = (uint32_t)below(INDICES + 1);
+		primitive[i].count = (uint32_t)below(INDICES + 1 - (int)primitive[i].first);
+		if (!elements.index && one_in(10))
+			primitive[i].first = (uint32_t)random_word();
+	}
+	failed = false;
+	drawn_as("accel_draw_arrays", accel_draw_arrays(board->draw, state, &arrays, &elements));
 }
 
 static struct accel_clear any_clear(void)
@@ -297,7 +339,10 @@ static void frame(uint64_t seed)
 		fuzz_draw_state(state);
 		if (one_in(4))
 			clear(board);
-		draw_mesh(board);
+		if (one_in(2))
+			draw_mesh(board);
+		else
+			draw_arrays(board);
 		if (one_in(6)) {
 			submit(board);
 			if (!one_in(6))

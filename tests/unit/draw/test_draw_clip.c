@@ -96,17 +96,24 @@ static int ray_counts(int x, int y)
 	return each[0] == 1 && each[1] == 1 && each[2] == 1 ? 1 : 2;
 }
 
+static void clip_place(const struct accel_transform *transform, const float at[3], double place[4])
+{
+	const float position[4] = { at[0], at[1], at[2], 1 };
+
+	accel_geometry_clip_space(transform, position, place);
+}
+
 static void clip_corners(struct fixture *f, const struct parallelogram *p)
 {
 	struct accel_transform transform;
-	const float origin[3] = { 0, 0, 0 };
+	const float origin[4] = { 0, 0, 0, 1 };
 	double base[4];
 
 	accel_geometry_init(&transform, f->state, SIDE, SIDE);
-	accel_geometry_clip_space(&transform, p->corner, clip[0]);
+	clip_place(&transform, p->corner, clip[0]);
 	accel_geometry_clip_space(&transform, origin, base);
 	for (int i = 0; i < 2; i++) {
-		accel_geometry_clip_space(&transform, p->along[i], clip[1 + i]);
+		clip_place(&transform, p->along[i], clip[1 + i]);
 		for (int j = 0; j < 4; j++)
 			clip[1 + i][j] -= base[j];
 	}

@@ -66,6 +66,22 @@ struct fixture {
 	struct accel_state *state;
 };
 
+/* A triangle of vertices that are far from each other, which are gathered. */
+static int draw_few(const struct fixture *f, struct accel_draw *draw)
+{
+	static const uint16_t index[3] = { 0, 400, 1151 };
+	static const struct accel_primitive triangle = { ACCEL_TOPOLOGY_TRIANGLES, 0, 3 };
+	const struct accel_arrays arrays = ACCEL_ARRAYS(.vertices = shape.mesh.vertices,
+							.position = { .data = shape.position,
+								      .components = 3 },
+							.normal = shape.mesh.normal);
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &triangle,
+							      .primitives = 1, .index = index,
+							      .index_type = ACCEL_TYPE_USHORT);
+
+	return accel_draw_arrays(draw, f->state, &arrays, &elements);
+}
+
 static bool submitting; /* the frame is complete */
 
 /* Every call of a frame, to the first error. */
@@ -82,6 +98,8 @@ static int frame(const struct fixture *f, struct accel_draw *draw)
 		err = accel_draw_clear(draw, &depth);
 	if (!err)
 		err = accel_draw_mesh(draw, f->state, &shape.mesh);
+	if (!err)
+		err = draw_few(f, draw);
 	submitting = !err;
 	if (!err)
 		err = accel_draw_submit(draw, &fence);

@@ -111,7 +111,7 @@ static struct accel_mesh mesh_of(uint64_t *seed)
 		mesh.normal.data = normal;
 	if (test_below(seed, 2))
 		mesh.colour.data = colour;
-	switch (test_below(seed, 6)) {
+	switch (test_below(seed, 9)) {
 	case 0:
 		mesh.topology = ACCEL_TOPOLOGY_TRIANGLE_STRIP;
 		break;
@@ -120,6 +120,15 @@ static struct accel_mesh mesh_of(uint64_t *seed)
 		break;
 	case 2:
 		mesh.index = NULL;
+		break;
+	case 3:
+		mesh.topology = ACCEL_TOPOLOGY_QUADS;
+		break;
+	case 4:
+		mesh.topology = ACCEL_TOPOLOGY_QUAD_STRIP;
+		break;
+	case 5:
+		mesh.topology = ACCEL_TOPOLOGY_POLYGON;
 		break;
 	default:
 		break;
@@ -161,6 +170,28 @@ static void state_fill(struct accel_state *state, uint64_t *seed)
 	accel_state_set_depth(state, ACCEL_COMPARE_LEQUAL, true);
 }
 
+/* As three primitives that have parts of it in common, some triangles with no vertex, or few. */
+static int draw_as_arrays(struct accel_draw *draw, const struct accel_state *state,
+			  const struct accel_mesh *mesh, uint64_t *seed)
+{
+	const uint32_t count = mesh->index ? mesh->indices : mesh->vertices;
+	const uint32_t cut = test_below(seed, count + 1), from = test_below(seed, cut + 1);
+	const struct accel_primitive primitive[] = {
+		{ mesh->topology, 0, cut },
+		{ ACCEL_TOPOLOGY_TRIANGLES, from, count - from },
+		{ mesh->topology, cut, count - cut },
+	};
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = primitive,
+							      .primitives = 3, .index = mesh->index,
+							      .index_type = ACCEL_TYPE_UINT);
+	const struct accel_arrays arrays = ACCEL_ARRAYS(
+			.vertices = VERTICES - test_below(seed, 2) * test_below(seed, VERTICES),
+			.position = { .data = position, .components = 3 }, .normal = mesh->normal,
+			.colour = mesh->colour);
+
+	return accel_draw_arrays(draw, state, &arrays, &elements);
+}
+
 /* Two frames, each of two meshes, as the seed says. */
 static void draw_frames(const char *device_name, uint64_t seed)
 {
@@ -183,7 +214,10 @@ static void draw_frames(const char *device_name, uint64_t seed)
 		state_fill(state, &seed);
 		if (i % 2 == 0)
 			assert_int_equal(draw_begin(draw, target, black, 1), 0);
-		assert_int_equal(accel_draw_mesh(draw, state, &mesh), 0);
+		if (test_below(&seed, 2))
+			assert_int_equal(accel_draw_mesh(draw, state, &mesh), 0);
+		else
+			assert_int_equal(draw_as_arrays(draw, state, &mesh, &seed), 0);
 		if (i % 2)
 			assert_int_equal(accel_draw_finish(draw), 0);
 		accel_state_free(state);

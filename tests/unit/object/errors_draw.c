@@ -121,6 +121,30 @@ static int mesh_of_a_later_version(void)
 	return accel_draw_mesh(test.draw, test.state, &later.now);
 }
 
+static const struct accel_primitive triangle = { ACCEL_TOPOLOGY_TRIANGLES, 0, 3 };
+static const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &triangle,
+							     .primitives = 1);
+
+static int arrays_without_positions(void)
+{
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_arrays(test.draw, test.state,
+				 &(struct accel_arrays)ACCEL_ARRAYS(.vertices = 3), &elements);
+}
+
+static int arrays_of_a_later_version(void)
+{
+	struct {
+		struct accel_arrays now;
+		uint64_t later;
+	} later = { ACCEL_ARRAYS(.vertices = 3, .position = { .data = corner, .components = 3 }),
+		    1 };
+
+	later.now.size = sizeof(later);
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_arrays(test.draw, test.state, &later.now, &elements);
+}
+
 static int submit_draw(void)
 {
 	return accel_draw_submit(test.draw, NULL);
@@ -174,6 +198,8 @@ const struct reached errors_draw[] = {
 	{ "accel_draw_clear", -E2BIG, clear_of_a_later_version },
 	{ "accel_draw_mesh", -EINVAL, mesh_without_positions },
 	{ "accel_draw_mesh", -E2BIG, mesh_of_a_later_version },
+	{ "accel_draw_arrays", -EINVAL, arrays_without_positions },
+	{ "accel_draw_arrays", -E2BIG, arrays_of_a_later_version },
 	{ "accel_draw_submit", -EINVAL, submit_draw },
 	{ "accel_draw_submit", -ENODEV, submit_a_frame_to_no_board },
 	{ "accel_draw_finish", -EINVAL, finish_draw },

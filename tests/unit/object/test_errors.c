@@ -18,6 +18,7 @@
  * accel_draw_begin -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_clear -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_mesh -ENOMEM: test_draw_out_of_memory.c
+ * accel_draw_arrays -ENOMEM: test_draw_out_of_memory.c
  */
 
 struct fixture test;

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+/*
+ * The triangles that primitives are split into, one after the other (OpenGL 1.5, section 2.6.1). The
+ * last vertex of each is that of its primitive which gives a flat one its colour (section 2.14.7):
+ * the last one, of a polygon the first.
+ */
+#include "draw/group.h"
+
+uint32_t accel_primitives_elements(const struct accel_pass *pass,
+				   const struct accel_primitive *primitive)
+{
+	const uint32_t vertices = pass->arrays->vertices;
+	const uint32_t least = primitive->first < vertices ? vertices - primitive->first : 0;
+
+	if (pass->elements->index || primitive->count <= least)
+		return primitive->count;
+	return primitive->topology == ACCEL_TOPOLOGY_POLYGON ? 0 : least;
+}
+
+uint32_t accel_primitives_triangles(const struct accel_pass *pass,
+				    const struct accel_primitive *primitive)
+{
+	const uint32_t count = accel_primitives_elements(pass, primitive);
+
+	switch (primitive->topology) {
+	case ACCEL_TOPOLOGY_TRIANGLES:
+		return count / 3;
+	case ACCEL_TOPOLOGY_QUADS:
+		return count / 4 * 2;
+	case ACCEL_TOPOLOGY_QUAD_STRIP:
+		return count < 4 ? 0 : count / 2 * 2 - 2;
+	default:
+		return count < 3 ? 0 : count - 2;
+	}
+}
+
+/* Vertex of the pass that element @i of the primitive is; ACCEL_NONE: it is none. */
+static uint32_t primitives_element(const struct accel_walk *walk, uint32_t i)
+{
+	const struct accel_pass *pass = walk->pass;
+	uint32_t number;
+
+	if (pass->gather)
+		return (uint32_t)(walk->before + i);
+	number = accel_arrays_element(pass->elements, (uint64_t)walk->primitive->first + i);
+	return number < pass->arrays->vertices ? number - pass->base : ACCEL_NONE;
+}
+
+static bool primitives_drawable(const struct accel_walk *walk, uint32_t vertex)
+{
+	return vertex != ACCEL_NONE &&
+	       !(walk->pass->screen[vertex].outside & ACCEL_OUTSIDE_INFINITE);
+}
+
+static bool primitives_polygon_drawable(const struct accel_walk *walk)
+{
+	for (uint32_t i = 0; i < walk->primitive->count; i++)
+		if (!primitives_drawable(walk, primitives_element(walk, i)))
+			return false;
+	return true;
+}
+
+static void primitives_enter(struct accel_walk *walk, uint32_t triangle)
+{
+	walk->triangle = triangle;
+	walk->triangles = accel_primitives_triangles(walk->pass, walk->primitive);
+	if (walk->triangle < walk->triangles)
+		walk->whole = walk->primitive->topology != ACCEL_TOPOLOGY_POLYGON ||
+			      primitives_polygon_drawable(walk);
+}
+
+void accel_primitives_begin(struct accel_walk *walk, const struct accel_pass *pass, uint64_t first)
+{
+	const struct accel_primitive *primitive = pass->elements->primitive;
+	uint64_t before = 0;
+	uint32_t triangles;
+
+	for (;; primitive++) {
+		triangles = accel_primitives_triangles(pass, primitive);
+		if (first < triangles)
+			break;
+		first -= triangles;
+		before += accel_primitives_elements(pass, primitive);
+	}
+	*walk = (struct accel_walk){ .pass = pass, .primitive = primitive, .before = before };
+	primitives_enter(walk, (uint32_t)first);
+}
+
+/* The elements of triangle @i; [3] is what its primitive has beside these. */
+static void primitives_elements(enum accel_topology topology, uint32_t i, uint32_t element[4])
+{
+	uint32_t quad = i / 2, half = i % 2;
+
+	switch (topology) {
+	case ACCEL_TOPOLOGY_TRIANGLES:
+		i *= 3;
+		break;
+	case ACCEL_TOPOLOGY_TRIANGLE_STRIP:
+		/* Every second triangle of a strip turns the other way. */
+		element[0] = i + half;
+		element[1] = i + 1 - half;
+		element[2] = element[3] = i + 2;
+		return;
+	case ACCEL_TOPOLOGY_TRIANGLE_FAN:
+		element[0] = 0;
+		element[1] = i + 1;
+		element[2] = element[3] = i + 2;
+		return;
+	case ACCEL_TOPOLOGY_POLYGON:
+		element[0] = i + 1;
+		element[1] = i + 2;
+		element[2] = element[3] = 0;
+		return;
+	case ACCEL_TOPOLOGY_QUADS:
+		element[0] = 4 * quad + half;
+		element[1] = 4 * quad + 1 + half;
+		element[2] = 4 * quad + 3;
+		element[3] = 4 * quad + (half ? 0 : 2);
+		return;
+	default:
+		/* A quad of a strip is 0, 1, 3, 2. */
+		element[0] = 2 * quad + (half ? 0 : 2);
+		element[1] = 2 * quad + (half ? 1 : 0);
+		element[2] = 2 * quad + 3;
+		element[3] = 2 * quad + (half ? 2 : 1);
+		return;
+	}
+	element[0] = i;
+	element[1] = i + 1;
+	element[2] = element[3] = i + 2;
+}
+
+bool accel_primitives_next(struct accel_walk *walk, uint32_t index[3])
+{
+	uint32_t element[4], vertex;
+	bool drawable;
+
+	while (walk->triangle == walk->triangles) {
+		walk->before += accel_primitives_elements(walk->pass, walk->primitive);
+		walk->primitive++;
+		primitives_enter(walk, 0);
+	}
+	drawable = walk->whole;
+	primitives_elements(walk->primitive->topology, walk->triangle++, element);
+	for (int i = 0; i < 4; i++) {
+		vertex = primitives_element(walk, element[i]);
+		drawable = drawable && primitives_drawable(walk, vertex);
+		if (i < 3)
+			index[i] = vertex;
+	}
+	return drawable;
+}
