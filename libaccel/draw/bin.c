@@ -18,7 +18,7 @@ struct accel_block {
 
 void accel_bin_init(struct accel_bin *bin, int tile_size)
 {
-	*bin = (struct accel_bin){ .tile_size = tile_size };
+	*bin = (struct accel_bin){ .tile_size = tile_size, .states = 1 };
 }
 
 void accel_bin_free(struct accel_bin *bin)
@@ -155,6 +155,7 @@ static void bin_tile_state(struct accel_bin *bin, struct accel_tile *tile, uint3
 		bin->drawn = tile;
 	}
 	tile->now = *state;
+	tile->settled = 0;
 }
 
 /* Which of a state's results a tile must keep, and what it must have from before. */
@@ -206,6 +207,7 @@ void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 								.alpha = state->colour_mask[3],
 							});
 	bin->visible = *visible;
+	bin->states++;
 }
 
 /* Where a record is to be packed, after the state it needs; NULL: out of memory. */
@@ -220,6 +222,40 @@ static uint32_t *bin_record_begin(struct accel_bin *bin, struct accel_tile *tile
 	bin_tile_uses(tile, state);
 	bin->records++;
 	return tile->last->words + tile->last->used;
+}
+
+/* The same, with the state of what is drawn; the tile's pixel is at @x, @y. */
+static uint32_t *bin_record_here(struct accel_bin *bin, struct accel_tile *tile, int x, int y)
+{
+	struct accel_tile_state state = bin->state;
+	uint32_t *words;
+
+	if (tile->settled == bin->states) {
+		words = bin_tile_room(bin, tile, ACCEL_RECORD_WORDS);
+		bin->records += words != NULL;
+		return words;
+	}
+	state.scissor = bin_tile_scissor(bin, x, y);
+	words = bin_record_begin(bin, tile, &state);
+	tile->settled = words ? bin->states : 0;
+	return words;
+}
+
+int accel_bin_begin_whole(struct accel_bin *bin, const struct accel_bounds *box,
+			  struct accel_bin_room *room)
+{
+	const int shift = __builtin_ctz((unsigned int)bin->tile_size);
+	const int column = box->x0 >> shift, row = box->y0 >> shift;
+
+	room->tile = &bin->tile[row * bin->columns + column];
+	room->words = bin_record_here(bin, room->tile, column * bin->tile_size,
+				      row * bin->tile_size);
+	return room->words ? 0 : -ENOMEM;
+}
+
+void accel_bin_end_whole(struct accel_bin_room *room, uint32_t words)
+{
+	bin_tile_take(room->tile, words);
 }
 
 /* Clears a tile that was drawn on already, by drawing. */
@@ -296,7 +332,6 @@ static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *tri
 	int x0 = number_max(bin->visible.x0, x);
 	int x1 = number_min(bin->visible.x1, x + bin->tile_size);
 	struct accel_place place = { x, y, bin->tile_size, band->first, band->end, false, NULL };
-	struct accel_tile_state state = bin->state;
 	uint32_t *words;
 
 	while (place.first < place.end &&
@@ -309,8 +344,7 @@ static int bin_band_tile(struct accel_bin *bin, const struct accel_triangle *tri
 		return 0;
 	place.row = &band->row[place.first - band->first];
 	place.covering = bin_band_covers(band, x, x + bin->tile_size, bin->tile_size);
-	state.scissor = bin_tile_scissor(bin, x, y);
-	words = bin_record_begin(bin, tile, &state);
+	words = bin_record_here(bin, tile, x, y);
 	if (!words)
 		return -ENOMEM;
 	bin_tile_take(tile, accel_record_pack(words, triangle, &place));
@@ -369,6 +403,7 @@ int accel_bin_part_begin(struct accel_bin *part, const struct accel_bin *bin)
 	part->frame = bin->frame;
 	part->state = bin->state;
 	part->visible = bin->visible;
+	part->states++;
 	return 0;
 }
 

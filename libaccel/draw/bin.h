@@ -36,7 +36,8 @@ struct accel_tile {
 	bool uses_colour, uses_depth, writes_depth;
 	struct accel_tile_clear clear;
 	struct accel_tile_state first, now; /* that its records begin, end with */
-	struct accel_tile *next;            /* of those drawn on */
+	uint64_t settled;        /* the bin's number of the state that now is; 0: not known */
+	struct accel_tile *next; /* of those drawn on */
 };
 
 struct accel_bin {
@@ -49,6 +50,7 @@ struct accel_bin {
 	struct accel_tile_clear clear;
 	unsigned int discard;          /* planes that need not be stored, of ACCEL_CLEAR_* */
 	struct accel_tile_state state; /* of what is drawn next; its scissor is per tile */
+	uint64_t states;               /* number of that state */
 	uint64_t frame;                /* number of the frame; a part has that of its bin */
 	struct accel_bounds visible;
 	struct accel_block *block, *block_now;
@@ -65,6 +67,28 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height);
 /* After -ENOMEM the records of some tiles may be missing. */
 int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear);
 int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle);
+
+/* Where the record of a triangle is written that lies in one tile. */
+struct accel_bin_room {
+	struct accel_tile *tile;
+	uint32_t *words; /* ACCEL_RECORD_WORDS of them */
+};
+
+/* Is a triangle of pixels @box, of which there is one, visible as a whole and in one tile? */
+static inline bool accel_bin_is_whole(const struct accel_bin *bin, const struct accel_bounds *box)
+{
+	const struct accel_bounds *visible = &bin->visible;
+	const int across = box->x0 ^ (box->x1 - 1), down = box->y0 ^ (box->y1 - 1);
+
+	return (across | down) < bin->tile_size && box->x0 >= visible->x0 &&
+	       box->x1 <= visible->x1 && box->y0 >= visible->y0 && box->y1 <= visible->y1;
+}
+
+/* Then: room for its record, and that so many words of it were written. -ENOMEM. */
+int accel_bin_begin_whole(struct accel_bin *bin, const struct accel_bounds *box,
+			  struct accel_bin_room *room);
+void accel_bin_end_whole(struct accel_bin_room *room, uint32_t words);
+
 /*
  * @part takes triangles that @bin is to have after its own, perhaps in another thread. Append moves
  * them; their memory stays the part's, until the same call for the next frame. Within a frame a

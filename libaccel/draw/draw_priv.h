@@ -23,7 +23,7 @@
  *   few.c        triangles of one or two pixels, which are lit there
  *   surface.c    colours and depth to fixed point (triangle.h)
  *   setup.c      edges in remainder form: which pixels of which rows
- *   small.c      the same of small triangles, to short numbers (small.h)
+ *   small.c      the same of small triangles, to short numbers (small.h), and packed
  *   record.c     one TRIANGLE packet
  *   record_small.c  one TRIANGLE_SMALL packet
  *   bin.c        records by tile (bin.h)
@@ -73,6 +73,7 @@ struct accel_group;        /* group.h */
 struct accel_vertex_batch; /* kernel.h */
 struct accel_setup_batch;
 struct accel_fit_batch;
+struct accel_leaf_batch;
 struct accel_triangle;
 
 /* ---- vertices ---- */

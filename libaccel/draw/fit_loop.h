@@ -99,6 +99,26 @@ LOOP_INLINE void loop_flat_channel(struct accel_fit_batch *batch, int channel, i
 	batch->flat_colour[channel][i] = (low + high) / 2;
 }
 
+/* 0 to 255. */
+LOOP_INLINE uint32_t loop_level(float colour)
+{
+	return (uint32_t)(int32_t)(loop_unit(colour) * 255 + 0.5f);
+}
+
+/* What is sent of its light. */
+LOOP_INLINE void loop_form(struct accel_fit_batch *batch, int i)
+{
+	float a = batch->alpha[0][i], b = batch->alpha[1][i], c = batch->alpha[2][i];
+	const uint32_t form = GLOSS_SHADING_LINEAR + batch->curved[i];
+
+	batch->form[i] = form & ~loop_mask(batch->flat[i]);
+#pragma GCC unroll 4
+	for (int j = 0; j < 3; j++)
+		batch->level[j][i] = loop_level(batch->flat_colour[j][i]);
+	batch->level[3][i] = loop_level((a + b + c) / 3);
+	batch->even[i] = (a == b) & (a == c);
+}
+
 static void loop_basis_batch(struct accel_fit_batch *batch, int count)
 {
 	for (int i = 0; i < count; i++)
@@ -118,4 +138,6 @@ static void loop_fit(struct accel_fit_batch *batch, int count)
 	for (int channel = 0; channel < 3; channel++)
 		for (int i = 0; i < count; i++)
 			loop_flat_channel(batch, channel, i);
+	for (int i = 0; i < count; i++)
+		loop_form(batch, i);
 }

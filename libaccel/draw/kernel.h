@@ -79,6 +79,7 @@ struct accel_surface_batch {
 struct accel_fit_batch {
 	int32_t x[3][ACCEL_BATCH], y[3][ACCEL_BATCH]; /* of triangles that have an area */
 	float colour[6][3][ACCEL_BATCH];              /* of vertices, and of the edges after them */
+	float alpha[3][ACCEL_BATCH];                  /* of vertices */
 	uint32_t curved[ACCEL_BATCH];                 /* is the surface of second order? 0 or 1 */
 	/* As accel_basis; at_x, at_y are its x and y. */
 	int32_t at_x[ACCEL_BATCH], at_y[ACCEL_BATCH];
@@ -88,6 +89,32 @@ struct accel_fit_batch {
 	float flat_colour[3][ACCEL_BATCH];
 	uint32_t fits[ACCEL_BATCH]; /* are all numbers of its surfaces small enough? */
 	struct accel_surface_batch surface[3];
+	uint32_t form[ACCEL_BATCH];     /* enum gloss_shading */
+	uint32_t level[4][ACCEL_BATCH]; /* of a flat triangle, and of an alpha that is even */
+	uint32_t even[ACCEL_BATCH];     /* have all vertices the same alpha? */
+};
+
+/* ---- small_loop.h ---- */
+
+/* Words of a small record before those of rows. */
+#define ACCEL_SMALL_WORDS 11
+
+struct accel_leaf_batch {
+	/* Of it at_x, at_y, surface, form and level, in the end at the triangle's own anchor. */
+	struct accel_fit_batch fit;
+	/* ~0: the triangle is small enough; in the end: it is rounded, and packed. Else 0. */
+	uint32_t fits[ACCEL_BATCH];
+	/* As in accel_small, all 0 of a triangle that is not small. */
+	int32_t x0[ACCEL_BATCH], y0[ACCEL_BATCH], x1[ACCEL_BATCH], y1[ACCEL_BATCH];
+	int32_t anchor_x[ACCEL_BATCH];
+	uint32_t head[ACCEL_BATCH]; /* rows in pixels_small */
+	/* As in accel_depth_plane, but in units of GLOSS_SMALL_DEPTH_SHIFT. */
+	int32_t depth_x[ACCEL_BATCH], depth_y[ACCEL_BATCH];
+	int32_t depth_z[ACCEL_BATCH], depth_dx[ACCEL_BATCH], depth_dy[ACCEL_BATCH];
+	uint32_t depth_scale[ACCEL_BATCH];
+	/* The record, in the tile that its first pixel is in, and how many words; rows follow them. */
+	uint32_t word[ACCEL_SMALL_WORDS][ACCEL_BATCH];
+	uint32_t words[ACCEL_BATCH];
 };
 
 /* ---- the loops, as one set of instructions has them ---- */
@@ -109,6 +136,8 @@ struct accel_kernel {
 	/* The bases of @count triangles; the same and their surfaces. */
 	void (*basis)(struct accel_fit_batch *batch, int count);
 	void (*fit)(struct accel_fit_batch *batch, int count);
+	/* Rounds and packs those of @count triangles that are small; @tile_size is a power of two. */
+	void (*small)(struct accel_leaf_batch *batch, int count, int tile_size);
 	/* The edges of @count triangles, and as many rows as accel_setup keeps. */
 	void (*setup)(struct accel_setup_batch *batch, int count,
 		      const struct accel_bounds *visible);

@@ -9,6 +9,7 @@
 #include "draw/lighting_loop.h"
 #include "draw/setup_loop.h"
 #include "draw/fit_loop.h"
+#include "draw/small_loop.h"
 
 const struct accel_kernel KERNEL = {
 	.name = KERNEL_NAME,
@@ -19,4 +20,5 @@ const struct accel_kernel KERNEL = {
 	.setup = loop_setup,
 	.basis = loop_basis_batch,
 	.fit = loop_fit,
+	.small = loop_small,
 };

@@ -28,10 +28,20 @@ static void leaf_gather(struct accel_fit_batch *batch, int i, const struct accel
 			batch->colour[j][k][i] = patch->vertex[j]->sample.colour[k];
 			batch->colour[3 + j][k][i] = leaf->edged ? patch->edge[j]->colour[k] : 0;
 		}
+		batch->alpha[j][i] = patch->vertex[j]->sample.colour[3];
 	}
 	batch->curved[i] = leaf->edged && accel_patch_curved(patch);
 }
 
+/* Are the surfaces of a leaf those that the batch has? */
+static bool leaf_is_fitted(const struct accel_pass *pass, const struct accel_leaf *leaf,
+			   const struct accel_fit_batch *batch, int i)
+{
+	return !leaf->few->count && leaf->edged && batch->even[i] &&
+	       (batch->flat[i] || batch->fits[i]) && pass->state->shading != ACCEL_SHADING_GOURAUD;
+}
+
+/* The surfaces of any leaf. */
 static void leaf_surface(const struct accel_pass *pass, const struct accel_leaf *leaf,
 			 const struct accel_fit_batch *batch, int i,
 			 struct accel_triangle *triangle)
@@ -39,7 +49,10 @@ static void leaf_surface(const struct accel_pass *pass, const struct accel_leaf 
 	const enum accel_shading shading = pass->state->shading;
 	struct accel_basis basis;
 
-	if (shading == ACCEL_SHADING_FLAT) {
+	triangle->x = triangle->y = 0;
+	if (leaf->few->count) {
+		accel_few_surface(triangle, leaf->few);
+	} else if (shading == ACCEL_SHADING_FLAT) {
 		accel_surface_flat(triangle, leaf->flat->sample.colour);
 	} else if (!leaf->edged || (shading == ACCEL_SHADING_GOURAUD && !batch->curved[i])) {
 		accel_surface_basis_of(batch, i, &basis);
@@ -49,40 +62,71 @@ static void leaf_surface(const struct accel_pass *pass, const struct accel_leaf 
 	}
 }
 
-static int leaf_bin(struct accel_pass *pass, const struct accel_leaf *leaf,
-		    const struct accel_fit_batch *batch, int i)
+/* What the batch has not yet of a leaf. */
+static void leaf_complete(const struct accel_pass *pass, const struct accel_leaf *leaf,
+			  struct accel_leaf_batch *batch, int i)
+{
+	struct accel_triangle triangle;
+	struct accel_small found;
+
+	if (!leaf->small)
+		accel_small_init(&found, leaf->setup);
+	accel_small_put(batch, i, leaf->small ? leaf->small : &found, leaf->setup, leaf->plane);
+	if (leaf_is_fitted(pass, leaf, &batch->fit, i))
+		return;
+	leaf_surface(pass, leaf, &batch->fit, i, &triangle);
+	accel_small_surface(batch, i, &triangle);
+}
+
+/* A leaf whose record is not known: its tile cuts it, or it is not small. */
+static int leaf_bin_any(struct accel_pass *pass, const struct accel_leaf *leaf,
+			const struct accel_leaf_batch *batch, int i)
 {
 	struct accel_triangle triangle;
 
 	triangle.setup = *leaf->setup;
 	triangle.plane = leaf->plane;
-	triangle.x = triangle.y = 0;
-	if (leaf->small)
-		triangle.small = *leaf->small;
-	else
-		accel_small_init(&triangle.small, leaf->setup);
-	if (leaf->few->count)
-		accel_few_surface(&triangle, leaf->few);
-	else
-		leaf_surface(pass, leaf, batch, i, &triangle);
-	accel_small_round(&triangle);
-	leaf_count(pass->stats, triangle.shading);
+	leaf_surface(pass, leaf, &batch->fit, i, &triangle);
+	accel_small_take(batch, i, &triangle);
 	return accel_bin_triangle(pass->bin, &triangle);
 }
 
+static int leaf_bin(struct accel_pass *pass, const struct accel_leaf *leaf,
+		    const struct accel_leaf_batch *batch, int i)
+{
+	const struct accel_bounds box = { batch->x0[i], batch->y0[i], batch->x1[i], batch->y1[i] };
+	struct accel_bin_room room;
+	int err;
+
+	leaf_count(pass->stats, (enum gloss_shading)batch->fit.form[i]);
+	if (!batch->fits[i] || !accel_bin_is_whole(pass->bin, &box))
+		return leaf_bin_any(pass, leaf, batch, i);
+	err = accel_bin_begin_whole(pass->bin, &box, &room);
+	if (!err)
+		accel_bin_end_whole(&room, accel_small_words(batch, i, leaf->setup, room.words));
+	return err;
+}
+
+/* Those whose surfaces are fitted come first in the batch, others from its end on. */
 int accel_leaf_flush(struct accel_pass *pass, struct accel_leaves *leaves)
 {
-	struct accel_fit_batch batch;
-	int fit[ACCEL_BATCH] = { 0 }, count = 0, err = 0;
+	const int count = leaves->count;
+	int place[ACCEL_BATCH], fitted = 0, others = count, err = 0;
+	struct accel_leaf_batch batch;
 
-	for (int i = 0; i < leaves->count; i++) {
-		fit[i] = count;
-		if (!leaves->leaf[i].few->count)
-			leaf_gather(&batch, count++, &leaves->leaf[i]);
+	for (int i = 0; i < count; i++) {
+		const struct accel_leaf *leaf = &leaves->leaf[i];
+
+		place[i] = leaf->few->count ? --others : fitted++;
+		if (!leaf->few->count)
+			leaf_gather(&batch.fit, place[i], leaf);
 	}
-	accel_kernel()->fit(&batch, count);
-	for (int i = 0; i < leaves->count && !err; i++)
-		err = leaf_bin(pass, &leaves->leaf[i], &batch, fit[i]);
+	accel_kernel()->fit(&batch.fit, fitted);
+	for (int i = 0; i < count; i++)
+		leaf_complete(pass, &leaves->leaf[i], &batch, place[i]);
+	accel_kernel()->small(&batch, count, pass->bin->tile_size);
+	for (int i = 0; i < count && !err; i++)
+		err = leaf_bin(pass, &leaves->leaf[i], &batch, place[i]);
 	leaves->count = 0;
 	return err;
 }

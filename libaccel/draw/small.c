@@ -2,21 +2,17 @@
 /*
  * Coefficients of small triangles, rounded to what TRIANGLE_SMALL holds: once a triangle, at its own
  * anchor, so that no picture depends on where tiles begin. What a tile that cuts the triangle asks
- * for is moved from there, and sent small or large as it fits; the bits are the same.
+ * for is moved from there, and sent small or large as it fits; the bits are the same. small_loop.h does
+ * it, and packs the record that is sent where the triangle is in one tile.
  *
  * Differences are rounded from the highest order on, each to where it holds in the triangle's
  * middle with those above it as they have become. So an error counts from the middle, although the
  * anchor may be seven pixels from the triangle.
  */
-#include <string.h>
-
-#include "draw/triangle.h"
+#include "draw/kernel.h"
 #include "draw/small.h"
 
 #define CHANNELS 3
-
-/* What rounding may change in a colour, a quarter of a level. */
-#define ERROR_MAX (1 << (GLOSS_COLOUR_FRACTION - 2))
 
 static void small_box_row(struct accel_small *small, const struct accel_row *row, int y)
 {
@@ -52,12 +48,6 @@ static int64_t small_round_depth(int64_t value, unsigned int shift)
 	return (value + (INT64_C(1) << (shift - 1))) & -(INT64_C(1) << shift);
 }
 
-/* Wraps, as all that is done with it does. */
-static uint32_t small_round(uint32_t value, unsigned int shift)
-{
-	return (value + (1u << (shift - 1))) >> shift << shift;
-}
-
 static bool small_depth_fits(int64_t value, unsigned int shift)
 {
 	int64_t limit = INT64_C(1) << (SMALL_DEPTH_BITS - 1);
@@ -81,170 +71,117 @@ void accel_small_plane(struct accel_depth_plane *plane)
 	}
 }
 
-/* The least scale that fits; false: the plane is not one that TRIANGLE_SMALL has. */
-static bool small_plane_scale(const struct accel_depth_plane *plane, unsigned int *scale)
+/* A plane in short units; false: it has bits that these have not. */
+static bool small_take_plane(struct accel_leaf_batch *batch, int i,
+			     const struct accel_depth_plane *plane)
 {
-	for (*scale = 0; *scale < SMALL_SCALES; ++*scale) {
-		unsigned int shift = small_depth_shift(*scale);
-		int64_t rest = (INT64_C(1) << shift) - 1;
+	const int64_t rest = (1 << GLOSS_SMALL_DEPTH_SHIFT) - 1;
+	int64_t dx = plane->dx >> GLOSS_SMALL_DEPTH_SHIFT,
+		dy = plane->dy >> GLOSS_SMALL_DEPTH_SHIFT;
 
-		if (small_depth_fits(plane->dx, shift) && small_depth_fits(plane->dy, shift))
-			return !((plane->dx | plane->dy) & rest) &&
-			       !(plane->z & ((1 << GLOSS_SMALL_DEPTH_SHIFT) - 1));
+	batch->depth_x[i] = plane->x;
+	batch->depth_y[i] = plane->y;
+	batch->depth_z[i] = (int32_t)(plane->z >> GLOSS_SMALL_DEPTH_SHIFT);
+	batch->depth_dx[i] = (int32_t)dx;
+	batch->depth_dy[i] = (int32_t)dy;
+	return dx == (int32_t)dx && dy == (int32_t)dy &&
+	       !((plane->z | plane->dx | plane->dy) & rest);
+}
+
+/* first is above last. */
+#define ROW_WITHOUT_PIXEL 1
+
+/* As pixels_small and row words have it. */
+static uint32_t small_row(const struct accel_row *row, int x)
+{
+	return row->left < row->right ? (uint32_t)((row->right - 1 - x) * 16 + row->left - x) :
+					ROW_WITHOUT_PIXEL;
+}
+
+void accel_small_put(struct accel_leaf_batch *batch, int i, const struct accel_small *small,
+		     const struct accel_setup *setup, const struct accel_depth_plane *plane)
+{
+	struct accel_row room[ACCEL_SMALL_SIZE];
+	const struct accel_row *row;
+
+	batch->x0[i] = batch->y0[i] = batch->x1[i] = batch->y1[i] = batch->anchor_x[i] = 0;
+	batch->head[i] = 0;
+	batch->fits[i] = small->fits && small_take_plane(batch, i, plane) ? ~0u : 0;
+	if (!batch->fits[i])
+		return;
+	batch->x0[i] = small->x0;
+	batch->y0[i] = small->y0;
+	batch->x1[i] = small->x1;
+	batch->y1[i] = small->y1;
+	batch->anchor_x[i] = small->anchor_x;
+	row = accel_setup_rows(setup, setup->first, setup->end, room) + small->y0 - setup->first;
+	batch->head[i] = small_row(&row[0], small->x0) << 16;
+	if (small->y1 - small->y0 > 1)
+		batch->head[i] |= small_row(&row[1], small->x0) << 24;
+}
+
+uint32_t accel_small_words(const struct accel_leaf_batch *batch, int i,
+			   const struct accel_setup *setup, uint32_t words[ACCEL_RECORD_WORDS])
+{
+	const int rows = batch->y1[i] - batch->y0[i], head = GLOSS_SMALL_HEAD_ROWS;
+	uint32_t count = batch->words[i];
+	struct accel_row room[ACCEL_SMALL_SIZE];
+	const struct accel_row *row;
+
+	for (uint32_t j = 0; j < ACCEL_SMALL_WORDS; j++)
+		words[j] = batch->word[j][i];
+	if (rows <= head)
+		return count;
+	row = accel_setup_rows(setup, setup->first, setup->end, room) + batch->y0[i] - setup->first;
+	for (int j = 0; j < rows - head; j++) {
+		const unsigned int place = (unsigned int)j % GLOSS_SMALL_WORD_ROWS;
+		uint32_t *word = &words[count + (unsigned int)j / GLOSS_SMALL_WORD_ROWS];
+
+		*word = (place ? *word : 0) | small_row(&row[head + j], batch->x0[i]) << 8 * place;
 	}
-	return false;
+	return count + ((uint32_t)(rows - head) + 3) / GLOSS_SMALL_WORD_ROWS;
 }
 
-static uint32_t small_bends_magnitude(const struct accel_surface *s)
+void accel_small_surface(struct accel_leaf_batch *batch, int i,
+			 const struct accel_triangle *triangle)
 {
-	return small_magnitude(s->dxx) | small_magnitude(s->dxy) | small_magnitude(s->dyy);
-}
+	struct accel_fit_batch *fit = &batch->fit;
 
-/* To the least scale that fits; false: they are too large. */
-static bool small_round_bends(struct accel_surface *s, unsigned int *scale)
-{
-	for (*scale = 0; *scale < SMALL_SCALES; ++*scale) {
-		unsigned int shift = small_bend_shift(*scale);
-		struct accel_surface rounded = *s;
+	fit->at_x[i] = triangle->x;
+	fit->at_y[i] = triangle->y;
+	fit->form[i] = triangle->shading;
+	for (int j = 0; j < CHANNELS; j++) {
+		const struct accel_surface *surface = &triangle->channel[j];
 
-		rounded.dxx = small_round(s->dxx, shift);
-		rounded.dxy = small_round(s->dxy, shift);
-		rounded.dyy = small_round(s->dyy, shift);
-		if (small_bends_magnitude(&rounded) >> (shift + SMALL_BEND_BITS - 1))
-			continue;
-		*s = rounded;
-		return true;
+		fit->surface[j].i[i] = (int32_t)surface->i;
+		fit->surface[j].dx[i] = (int32_t)surface->dx;
+		fit->surface[j].dy[i] = (int32_t)surface->dy;
+		fit->surface[j].dxx[i] = (int32_t)surface->dxx;
+		fit->surface[j].dxy[i] = (int32_t)surface->dxy;
+		fit->surface[j].dyy[i] = (int32_t)surface->dyy;
 	}
-	return false;
+	for (int j = 0; j < 4; j++)
+		fit->level[j][i] = triangle->constant[j];
+	if (triangle->alpha_linear)
+		batch->fits[i] = 0;
 }
 
-/* @s at (u, v) from where it is, except for its value. */
-static void small_move_slopes(struct accel_surface *s, uint32_t u, uint32_t v)
+void accel_small_take(const struct accel_leaf_batch *batch, int i, struct accel_triangle *triangle)
 {
-	s->dx += u * s->dxx + v * s->dxy;
-	s->dy += v * s->dyy + u * s->dxy;
-}
+	triangle->small.fits = batch->fits[i];
+	if (!batch->fits[i])
+		return;
+	triangle->small.depth_scale = batch->depth_scale[i];
+	if (triangle->shading == GLOSS_SHADING_FLAT)
+		return;
+	triangle->x = batch->anchor_x[i];
+	triangle->y = batch->y0[i];
+	for (int j = 0; j < CHANNELS; j++) {
+		const struct accel_surface_batch *from = &batch->fit.surface[j];
 
-/* n (n - 1) / 2 */
-static uint32_t small_pairs(int n)
-{
-	return (uint32_t)(n * (n - 1) / 2);
-}
-
-/*
- * @s has slopes that are rounded at (u, v) from the middle, and the value in the middle: both in the
- * middle, and then the value at (u, v).
- */
-static void small_move_value(struct accel_surface *s, int u, int v)
-{
-	struct accel_surface middle = *s;
-	uint32_t x = (uint32_t)u, y = (uint32_t)v;
-
-	small_move_slopes(&middle, -x, -y);
-	s->i += x * middle.dx + y * middle.dy + small_pairs(u) * s->dxx + small_pairs(v) * s->dyy +
-		x * y * s->dxy;
-	s->i = small_round(s->i, GLOSS_SMALL_SLOPE_SHIFT);
-}
-
-/* The greatest distance of a pixel from the middle, in x and in y. */
-struct reach {
-	int x, y;
-};
-
-static struct reach small_reach(const struct accel_triangle *triangle)
-{
-	const struct accel_small *small = &triangle->small;
-
-	return (struct reach){
-		number_max(triangle->x - small->x0, small->x1 - 1 - triangle->x),
-		number_max(triangle->y - small->y0, small->y1 - 1 - triangle->y),
-	};
-}
-
-/* What halves of the units come to at that distance: of value, slopes and bends. */
-static bool small_is_close(struct reach reach, unsigned int slope_scale, unsigned int bend_scale,
-			   bool bent)
-{
-	int64_t x = reach.x, y = reach.y, pairs = x * (x + 1) / 2 + y * (y + 1) / 2 + x * y;
-	int64_t error = 1 << (GLOSS_SMALL_SLOPE_SHIFT - 1);
-
-	error += (x + y) << (small_slope_shift(slope_scale) - 1);
-	if (bent)
-		error += pairs << (small_bend_shift(bend_scale) - 1);
-	return error <= ERROR_MAX;
-}
-
-static uint32_t small_slopes_magnitude(const struct accel_surface channel[CHANNELS])
-{
-	uint32_t magnitude = 0;
-
-	for (int i = 0; i < CHANNELS; i++)
-		magnitude |= small_magnitude(channel[i].dx) | small_magnitude(channel[i].dy);
-	return magnitude;
-}
-
-/* To the least scale that fits all of them; the last one does. */
-static unsigned int small_round_slopes(struct accel_surface channel[CHANNELS])
-{
-	struct accel_surface rounded[CHANNELS];
-	unsigned int scale = 0, shift;
-
-	do {
-		shift = small_slope_shift(scale++);
-		memcpy(rounded, channel, sizeof(rounded));
-		for (int i = 0; i < CHANNELS; i++) {
-			rounded[i].dx = small_round(channel[i].dx, shift);
-			rounded[i].dy = small_round(channel[i].dy, shift);
-		}
-	} while (small_slopes_magnitude(rounded) >> (shift + SMALL_SLOPE_BITS - 1));
-	memcpy(channel, rounded, sizeof(rounded));
-	return scale - 1;
-}
-
-/* Rounds second differences, and moves first ones to the anchor with them. */
-static bool small_round_orders(struct accel_surface channel[CHANNELS], bool bent, int u, int v,
-			       unsigned int *bend_scale)
-{
-	*bend_scale = 0;
-	for (int i = 0; i < CHANNELS; i++) {
-		unsigned int scale = 0;
-
-		if (bent && !small_round_bends(&channel[i], &scale))
-			return false;
-		if (!bent)
-			channel[i].dxx = channel[i].dxy = channel[i].dyy = 0;
-		*bend_scale = scale > *bend_scale ? scale : *bend_scale;
-		small_move_slopes(&channel[i], (uint32_t)u, (uint32_t)v);
+		triangle->channel[j] = (struct accel_surface){
+			(uint32_t)from->i[i],   (uint32_t)from->dx[i],  (uint32_t)from->dy[i],
+			(uint32_t)from->dxx[i], (uint32_t)from->dxy[i], (uint32_t)from->dyy[i],
+		};
 	}
-	return true;
-}
-
-static bool small_round_colour(struct accel_triangle *triangle)
-{
-	int u = triangle->small.anchor_x - triangle->x, v = triangle->small.y0 - triangle->y;
-	bool bent = triangle->shading == GLOSS_SHADING_SECOND_ORDER;
-	struct accel_surface channel[CHANNELS];
-	unsigned int slope_scale, bend_scale;
-
-	memcpy(channel, triangle->channel, sizeof(channel));
-	if (!small_round_orders(channel, bent, u, v, &bend_scale))
-		return false;
-	slope_scale = small_round_slopes(channel);
-	if (!small_is_close(small_reach(triangle), slope_scale, bend_scale, bent))
-		return false;
-	for (int i = 0; i < CHANNELS; i++)
-		small_move_value(&channel[i], u, v);
-	memcpy(triangle->channel, channel, sizeof(channel));
-	triangle->x = triangle->small.anchor_x;
-	triangle->y = triangle->small.y0;
-	return true;
-}
-
-void accel_small_round(struct accel_triangle *triangle)
-{
-	struct accel_small *small = &triangle->small;
-
-	small->fits = small->fits && !triangle->alpha_linear &&
-		      small_plane_scale(triangle->plane, &small->depth_scale) &&
-		      (triangle->shading == GLOSS_SHADING_FLAT || small_round_colour(triangle));
 }

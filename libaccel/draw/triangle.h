@@ -64,6 +64,8 @@ void accel_surface_gouraud(struct accel_triangle *triangle, const struct accel_b
 			   const struct accel_vertex *const vertex[3]);
 void accel_surface_flat(struct accel_triangle *triangle, const float colour[4]);
 
+#define ACCEL_RECORD_WORDS 40
+
 /* ---- small.c ---- */
 
 /* Pixels a side of the largest triangle that is small. */
@@ -73,14 +75,23 @@ void accel_small_init(struct accel_small *small, const struct accel_setup *setup
 /* Rounds the plane of a triangle that is small enough, for it and for all parts of it. */
 void accel_small_plane(struct accel_depth_plane *plane);
 /*
- * Rounds the surfaces of a triangle, if it is small enough and no colour changes by more than a
- * quarter of a level; else clears small.fits and changes nothing.
+ * Triangle @i of a batch (kernel.h) that is to be rounded, but for its surfaces. These are in the
+ * batch, if it was fitted, or come from a triangle.
  */
-void accel_small_round(struct accel_triangle *triangle);
+void accel_small_put(struct accel_leaf_batch *batch, int i, const struct accel_small *small,
+		     const struct accel_setup *setup, const struct accel_depth_plane *plane);
+void accel_small_surface(struct accel_leaf_batch *batch, int i,
+			 const struct accel_triangle *triangle);
+/*
+ * Then, its rounded surfaces, if it is small enough and no colour changes by more than a quarter of
+ * a level; else clears small.fits and changes nothing.
+ */
+void accel_small_take(const struct accel_leaf_batch *batch, int i, struct accel_triangle *triangle);
+/* Its record where it is in one tile; returns the words. */
+uint32_t accel_small_words(const struct accel_leaf_batch *batch, int i,
+			   const struct accel_setup *setup, uint32_t words[ACCEL_RECORD_WORDS]);
 
 /* ---- record.c ---- */
-
-#define ACCEL_RECORD_WORDS 40
 
 /* Where a record goes, in pixels of the target. */
 struct accel_place {

@@ -250,6 +250,62 @@ static void surfaces_are_the_same_with_all_instructions(void **unused)
 	assert_true(fitted > 1000);
 }
 
+/* Numbers that often fit a small record, and sometimes are any. */
+static void any_words(uint64_t *seed, void *words, size_t count, int most)
+{
+	uint32_t *word = words;
+
+	for (size_t i = 0; i < count; i++)
+		word[i] = (uint32_t)(test_random(seed) >> 32) >> test_below(seed, (uint32_t)most) ^
+			  (test_below(seed, 2) ? ~0u : 0);
+}
+
+static void any_small(uint64_t *seed, struct accel_leaf_batch *batch, int i)
+{
+	const int x = test_between(seed, -20, SIDE), y = test_between(seed, -20, SIDE);
+
+	batch->fits[i] = test_below(seed, 8) ? ~0u : 0;
+	batch->x0[i] = x;
+	batch->y0[i] = y;
+	batch->x1[i] = x + test_between(seed, 1, 17);
+	batch->y1[i] = y + test_between(seed, 1, 17);
+	batch->anchor_x[i] = (x + test_between(seed, 0, 16)) & ~7;
+	batch->fit.at_x[i] = x + test_between(seed, 0, 16);
+	batch->fit.at_y[i] = y + test_between(seed, 0, 16);
+	batch->fit.form[i] = test_below(seed, 3);
+	for (int j = 0; j < 4; j++)
+		batch->fit.level[j][i] = test_below(seed, 256);
+}
+
+static void small_records_are_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_leaf_batch given, wanted, got;
+	uint64_t seed = test_seed();
+	int fits = 0;
+
+	(void)unused;
+	for (int n = 0; n < ROUNDS; n++) {
+		int count = test_between(&seed, 1, ACCEL_BATCH + 1);
+
+		any_words(&seed, given.fit.surface, sizeof(given.fit.surface) / 4, 24);
+		any_words(&seed, given.depth_z, 3 * (size_t)ACCEL_BATCH, 30);
+		for (int i = 0; i < ACCEL_BATCH; i++)
+			any_small(&seed, &given, i);
+		wanted = given;
+		accel_kernel_baseline.small(&wanted, count, 64);
+		for (int i = 0; i < count; i++)
+			fits += wanted.fits[i] != 0;
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = given;
+			accel_kernels[i]->small(&got, count, 64);
+			assert_memory_equal(&got, &wanted, sizeof(got));
+		}
+	}
+	assert_true(fits > ROUNDS);
+}
+
 /* ---- streams ---- */
 
 static uint64_t checksum;
@@ -359,6 +415,7 @@ int main(void)
 		cmocka_unit_test(light_is_the_same_with_all_instructions),
 		cmocka_unit_test(edges_are_the_same_with_all_instructions),
 		cmocka_unit_test(surfaces_are_the_same_with_all_instructions),
+		cmocka_unit_test(small_records_are_the_same_with_all_instructions),
 		cmocka_unit_test(streams_are_the_same_with_all_instructions),
 		cmocka_unit_test(the_library_takes_the_last_that_runs),
 	};

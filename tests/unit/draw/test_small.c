@@ -2,6 +2,7 @@
 /* Small triangles: what rounding them to short numbers changes, and that tiles change nothing. */
 #include <string.h>
 
+#include "draw/kernel.h"
 #include "draw_test.h"
 
 #define SIDE 128
@@ -19,6 +20,8 @@ struct fixture {
 	struct accel_patch patch;
 	struct accel_triangle exact, rounded;
 	struct accel_depth_plane exact_plane, rounded_plane;
+	struct accel_leaf_batch
+		batch; /* in which it was rounded, and packed for tiles of 64 pixels */
 	struct accel_bin bin[3];
 };
 
@@ -101,7 +104,10 @@ static void prepare(struct fixture *f)
 	accel_small_init(&f->rounded.small, &f->rounded.setup);
 	if (f->rounded.small.fits)
 		accel_small_plane(&f->rounded_plane);
-	accel_small_round(&f->rounded);
+	accel_small_put(&f->batch, 0, &f->rounded.small, &f->rounded.setup, &f->rounded_plane);
+	accel_small_surface(&f->batch, 0, &f->rounded);
+	accel_kernel()->small(&f->batch, 1, 64);
+	accel_small_take(&f->batch, 0, &f->rounded);
 }
 
 static void draw(struct fixture *f)
@@ -222,6 +228,40 @@ static void the_form_changes_nothing(void **state)
 	assert_true(rounded > 20);
 }
 
+/* The record that is packed with others is the one that a tile would be given by itself. */
+static void records_of_whole_triangles_are_packed_alike(void **state)
+{
+	struct fixture *f = *state;
+	int packed = 0;
+
+	for (int n = 0; n < 10 * CASES; n++) {
+		const struct accel_small *small = &f->rounded.small;
+		uint32_t wanted[ACCEL_RECORD_WORDS], got[ACCEL_RECORD_WORDS], count;
+		struct accel_place place = { .tile_size = 64 };
+
+		if (!corners_random(f, 1 << test_between(&f->seed, 4, 9)))
+			continue;
+		colours_random(f);
+		prepare(f);
+		if (!small->fits || small->x0 < 0 || small->y0 < 0 ||
+		    small->x0 / 64 != (small->x1 - 1) / 64 ||
+		    small->y0 / 64 != (small->y1 - 1) / 64)
+			continue;
+		place.x = small->x0 & ~63;
+		place.y = small->y0 & ~63;
+		place.first = small->y0;
+		place.end = small->y1;
+		place.row = &f->rounded.setup.row[small->y0 - f->rounded.setup.first];
+		if (f->rounded.setup.end - f->rounded.setup.first > ACCEL_SETUP_ROWS)
+			continue;
+		count = accel_record_small(wanted, &f->rounded, &place);
+		assert_int_equal(accel_small_words(&f->batch, 0, &f->rounded.setup, got), count);
+		assert_memory_equal(got, wanted, count * sizeof(*got));
+		packed++;
+	}
+	assert_true(packed > CASES);
+}
+
 static struct kinds kinds_of(struct fixture *f)
 {
 	struct kinds kinds = { 0 };
@@ -298,6 +338,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(rounding_changes_a_level_at_most, setup, teardown),
 		cmocka_unit_test_setup_teardown(the_form_changes_nothing, setup, teardown),
+		cmocka_unit_test_setup_teardown(records_of_whole_triangles_are_packed_alike, setup,
+						teardown),
 		cmocka_unit_test_setup_teardown(words_grow_with_shading_and_rows, setup, teardown),
 		cmocka_unit_test_setup_teardown(what_is_too_large_or_too_steep_stays_large, setup,
 						teardown),
