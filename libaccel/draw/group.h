@@ -15,7 +15,7 @@
 
 #include "draw/kernel.h"
 
-#define ACCEL_GROUP_FACES 8192u
+#define ACCEL_GROUP_FACES 2048u
 #define ACCEL_NONE UINT32_MAX
 
 /* What is known of a vertex of the mesh when triangles are culled; as in accel_vertex. */
