@@ -18,6 +18,8 @@ module command_header (
   gloss_pkg::tile_end_header_t       tile_end;
   // verilator lint_on UNUSEDSIGNAL
   logic [10:0] length, triangle_length, small_length;
+  // Payloads by shading and what else counts, 16 bits for each: sums would be a chain of carries.
+  logic [16*32-1:0] triangle_lengths, small_lengths;
   logic        opcode_valid, free, too_short;
   logic [31:0] reserved;
   logic [10:0] words;       // of the payload, unless any number is free
@@ -30,33 +32,43 @@ module command_header (
   assign tile_end = header_i;
   assign length = header_i[10:0];
 
-  always_comb begin
-    triangle_length = '0;
-    if (triangle.geometry == gloss_pkg::GEOMETRY_WIDE)
-      triangle_length = gloss_pkg::EDGES_WIDE_WORDS + gloss_pkg::DEPTH_WIDE_WORDS;
-    if (triangle.geometry == gloss_pkg::GEOMETRY_COMPACT)
-      triangle_length = gloss_pkg::EDGES_COMPACT_WORDS + gloss_pkg::DEPTH_COMPACT_WORDS;
-    if (triangle.geometry == gloss_pkg::GEOMETRY_COVERING)
-      triangle_length = gloss_pkg::DEPTH_WIDE_WORDS;
-    if (triangle.alpha_linear) triangle_length += gloss_pkg::ALPHA_LINEAR_WORDS;
-    if (triangle.shading == gloss_pkg::SHADING_FLAT)
-      triangle_length += gloss_pkg::COLOUR_FLAT_WORDS;
-    if (triangle.shading == gloss_pkg::SHADING_LINEAR)
-      triangle_length += gloss_pkg::COLOUR_LINEAR_WORDS;
-    if (triangle.shading == gloss_pkg::SHADING_SECOND_ORDER)
-      triangle_length += gloss_pkg::COLOUR_SECOND_ORDER_WORDS;
+  function automatic logic [10:0] triangle_words(logic [1:0] geometry, logic alpha_linear,
+                                                 logic [1:0] shading);
+    triangle_words = '0;
+    if (geometry == gloss_pkg::GEOMETRY_WIDE)
+      triangle_words = gloss_pkg::EDGES_WIDE_WORDS + gloss_pkg::DEPTH_WIDE_WORDS;
+    if (geometry == gloss_pkg::GEOMETRY_COMPACT)
+      triangle_words = gloss_pkg::EDGES_COMPACT_WORDS + gloss_pkg::DEPTH_COMPACT_WORDS;
+    if (geometry == gloss_pkg::GEOMETRY_COVERING)
+      triangle_words = gloss_pkg::DEPTH_WIDE_WORDS;
+    if (alpha_linear) triangle_words += gloss_pkg::ALPHA_LINEAR_WORDS;
+    if (shading == gloss_pkg::SHADING_FLAT)
+      triangle_words += gloss_pkg::COLOUR_FLAT_WORDS;
+    if (shading == gloss_pkg::SHADING_LINEAR)
+      triangle_words += gloss_pkg::COLOUR_LINEAR_WORDS;
+    if (shading == gloss_pkg::SHADING_SECOND_ORDER)
+      triangle_words += gloss_pkg::COLOUR_SECOND_ORDER_WORDS;
+  endfunction
+
+  function automatic logic [10:0] small_words(logic [2:0] row_words, logic [1:0] shading);
+    small_words = gloss_pkg::PIXELS_SMALL_WORDS + gloss_pkg::DEPTH_SMALL_WORDS + 11'(row_words);
+    if (shading == gloss_pkg::SHADING_FLAT)
+      small_words += gloss_pkg::COLOUR_FLAT_WORDS;
+    if (shading == gloss_pkg::SHADING_LINEAR)
+      small_words += gloss_pkg::COLOUR_LINEAR_SMALL_WORDS;
+    if (shading == gloss_pkg::SHADING_SECOND_ORDER)
+      small_words += gloss_pkg::COLOUR_SECOND_ORDER_SMALL_WORDS;
+  endfunction
+
+  for (genvar n = 0; n < 32; n++) begin : gen_length
+    localparam logic [4:0] Number = 5'(n);
+    assign triangle_lengths[16*n +: 16] = 16'(triangle_words(Number[4:3], Number[2], Number[1:0]));
+    assign small_lengths[16*n +: 16] = 16'(small_words(Number[4:2], Number[1:0]));
   end
 
-  always_comb begin
-    small_length = gloss_pkg::PIXELS_SMALL_WORDS + gloss_pkg::DEPTH_SMALL_WORDS +
-                   11'(small_header.row_words);
-    if (small_header.shading == gloss_pkg::SHADING_FLAT)
-      small_length += gloss_pkg::COLOUR_FLAT_WORDS;
-    if (small_header.shading == gloss_pkg::SHADING_LINEAR)
-      small_length += gloss_pkg::COLOUR_LINEAR_SMALL_WORDS;
-    if (small_header.shading == gloss_pkg::SHADING_SECOND_ORDER)
-      small_length += gloss_pkg::COLOUR_SECOND_ORDER_SMALL_WORDS;
-  end
+  assign triangle_length = triangle_lengths[{triangle.geometry, triangle.alpha_linear,
+                                             triangle.shading, 4'b0} +: 11];
+  assign small_length = small_lengths[{small_header.row_words, small_header.shading, 4'b0} +: 11];
 
   always_comb begin
     opcode_valid = 1'b1;
