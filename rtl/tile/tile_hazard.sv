@@ -43,7 +43,15 @@ module tile_hazard #(
 
   localparam int unsigned StepBits = $clog2(TileSize);
 
-  typedef enum logic [2:0] {Idle, Pick, Sign, Walk, Done} state_e;
+  typedef enum logic [2:0] {
+    Idle,
+    Pick,   // the next pair,
+    Sign,   // which of it starts lower,
+    Swap,   // that is to be subtracted,
+    Apart,  // and by how much it does
+    Walk,
+    Done
+  } state_e;
 
   state_e state_d, state_q;
   gloss_pkg::tile_begin_op_t op_q;
@@ -54,9 +62,12 @@ module tile_hazard #(
   logic store_depth_q, load_depth_q;
   logic applies, next_pair, conflict;
 
-  logic signed [AddressBits:0] distance_q, minuend, subtrahend;
+  // Both addresses, then distance and pitch: registers, so that nothing is chosen before it is
+  // subtracted.
+  logic signed [AddressBits:0] minuend_q, difference;
+  logic [AddressBits-1:0] subtrahend_q;
   logic [PitchBits-1:0] load_pitch, pitch_q;
-  logic same_pitch_q, zero_q;  // zero_q: distance_q is
+  logic same_pitch_q, below_q, zero_q;  // zero_q: minuend_q, in Walk the distance, is
   logic [StepBits-1:0] step_q;
   logic [AddressBits-1:0] load_address;
 
@@ -77,33 +88,26 @@ module tile_hazard #(
   assign applies = (load_depth_q ? op_q.depth_load : op_q.colour_load)
       && store_output_i == gloss_pkg::TILE_OUTPUT_STORE;
 
+  assign difference = minuend_q - signed'({1'b0, subtrahend_q});
+
   always_comb begin
     state_d = state_q;
     next_pair = 1'b0;
     conflict = 1'b0;
-    minuend = distance_q;
-    subtrahend = signed'((AddressBits + 1)'(pitch_q));
 
     unique case (state_q)
       Idle: if (take) state_d = Pick;
       Pick: begin
-        minuend = signed'({1'b0, load_address});
-        subtrahend = signed'({1'b0, store_address_i});
         if (tile_q == begun_q - 1'b1) state_d = Done;
         else if (applies) state_d = Sign;
         else next_pair = 1'b1;
       end
-      Sign: begin
-        subtrahend = '0;
-        if (distance_q < 0) begin
-          minuend = '0;
-          subtrahend = distance_q;
-        end
-        state_d = Walk;
-      end
+      Sign: state_d = Swap;
+      Swap: state_d = Apart;
+      Apart: state_d = Walk;
       Walk: begin
-        conflict = zero_q || (distance_q < 0 && !same_pitch_q);
-        if (zero_q || distance_q < 0 || step_q == '1) begin
+        conflict = zero_q || (minuend_q < 0 && !same_pitch_q);
+        if (zero_q || minuend_q < 0 || step_q == '1) begin
           next_pair = 1'b1;
           state_d = Pick;
         end
@@ -115,13 +119,28 @@ module tile_hazard #(
 
   always_ff @(posedge clk_i) begin
     if (take) op_q <= tile_begin_i;
-    distance_q <= minuend - subtrahend;
-    zero_q <= minuend == subtrahend;
+    zero_q <= minuend_q == signed'({1'b0, subtrahend_q});
     step_q <= state_q == Walk ? step_q + 1'b1 : '0;
-    if (state_q == Sign) begin
-      pitch_q <= distance_q < 0 ? load_pitch : store_pitch_i;
-      same_pitch_q <= load_pitch == store_pitch_i;
-    end
+    below_q <= difference < 0;
+    same_pitch_q <= load_pitch == store_pitch_i;
+    unique case (state_q)
+      Pick: begin
+        minuend_q <= signed'({1'b0, load_address});
+        subtrahend_q <= store_address_i;
+      end
+      Sign: ;
+      Swap: begin
+        if (below_q) begin
+          minuend_q <= signed'({1'b0, subtrahend_q});
+          subtrahend_q <= minuend_q[AddressBits-1:0];
+        end
+        pitch_q <= below_q ? load_pitch : store_pitch_i;
+      end
+      default: begin
+        minuend_q <= difference;
+        subtrahend_q <= AddressBits'(pitch_q);
+      end
+    endcase
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
