@@ -2,8 +2,8 @@
 // Tests blocks of pixels against the tile's depth and merges them into the tile: K pixels a clock,
 // never stalls.
 //
-// A block is read in the clock it arrives and written two clocks later, so a block may come again
-// three clocks after itself; nothing is forwarded. raster keeps that distance: no block twice in a
+// A block is read in the clock it arrives and written three clocks later. It may come again in that
+// clock: tile then hands on what is written. raster keeps that distance: no block twice in a
 // triangle, two idle clocks between triangles.
 module fragment #(
   parameter int unsigned TileSize = 64,
@@ -25,9 +25,9 @@ module fragment #(
   input  logic                         end_i,
   input  logic                         end_bank_i,
 
-  // to tile: the row {y, x} of a bank; its clear values are there one clock after the read, the row
-  // two clocks after. A word that is not fresh was not written in this tile: it stands for the
-  // clear value.
+  // to tile: the row {y, x} of a bank; its clear values are there two clocks after the read, the
+  // row three clocks after. A word that is not fresh was not written in this tile: it stands for
+  // the clear value.
   output logic                         read_en_o,
   output logic                         read_bank_o,
   output logic [YBits+XBits-1:0]       read_row_o,
@@ -53,8 +53,15 @@ module fragment #(
 
   localparam int unsigned K = PixelsPerClock;
 
-  // One clock after the block came: its test against the clear value, for words that turn out not
-  // to be fresh.
+  // One clock after the block came it waits for tile.
+  logic                    wait_valid_q;
+  logic [YBits+XBits-1:0]  wait_row_q;
+  logic [K-1:0]            wait_mask_q;
+  logic [32*K-1:0]         wait_colour_q;
+  logic [24*K-1:0]         wait_depth_q;
+  gloss_pkg::pixel_state_t wait_state_q;
+
+  // Two clocks after: its test against the clear value, for words that turn out not to be fresh.
   logic                    test_valid_q;
   logic [YBits+XBits-1:0]  test_row_q;
   logic [K-1:0]            test_mask_q, test_pass;
@@ -62,7 +69,7 @@ module fragment #(
   logic [24*K-1:0]         test_depth_q;
   gloss_pkg::pixel_state_t test_state_q;
 
-  // Two clocks after: the row is there, tested and written.
+  // Three clocks after: the row is there, tested and written.
   logic                    merge_valid_q;
   logic [YBits+XBits-1:0]  merge_row_q;
   logic [K-1:0]            merge_mask_q, merge_clear_pass_q, merge_stored_pass, merge_pass;
@@ -71,9 +78,9 @@ module fragment #(
   gloss_pkg::pixel_state_t merge_state_q;
   logic [31:0]             merge_clear_colour_q, merge_clear_depth_q;
 
-  // The last block of a tile came a clock before end_i at the latest; five clocks after a block it
+  // The last block of a tile came a clock before end_i at the latest; six clocks after a block it
   // is counted.
-  logic [3:0] end_q, end_bank_q;
+  logic [4:0] end_q, end_bank_q;
 
   assign read_en_o = block_valid_i;
   assign read_bank_o = block_state_i.bank;
@@ -85,8 +92,8 @@ module fragment #(
   assign write_bank_o = merge_state_q.bank;
   assign write_row_o = merge_row_q;
 
-  assign end_o = end_q[3];
-  assign end_bank_o = end_bank_q[3];
+  assign end_o = end_q[4];
+  assign end_bank_o = end_bank_q[4];
 
   for (genvar l = 0; l < K; l++) begin : gen_lane
     fragment_depth u_test_clear (
@@ -141,11 +148,17 @@ module fragment #(
   );
 
   always_ff @(posedge clk_i) begin
-    test_row_q <= {block_y_i, block_x_i};
-    test_mask_q <= block_mask_i;
-    test_colour_q <= block_colour_i;
-    test_depth_q <= block_depth_i;
-    test_state_q <= block_state_i;
+    wait_row_q <= {block_y_i, block_x_i};
+    wait_mask_q <= block_mask_i;
+    wait_colour_q <= block_colour_i;
+    wait_depth_q <= block_depth_i;
+    wait_state_q <= block_state_i;
+
+    test_row_q <= wait_row_q;
+    test_mask_q <= wait_mask_q;
+    test_colour_q <= wait_colour_q;
+    test_depth_q <= wait_depth_q;
+    test_state_q <= wait_state_q;
 
     merge_row_q <= test_row_q;
     merge_mask_q <= test_mask_q;
@@ -156,18 +169,20 @@ module fragment #(
     merge_clear_colour_q <= clear_colour_i;
     merge_clear_depth_q <= clear_depth_i;
 
-    end_bank_q <= {end_bank_q[2:0], end_bank_i};
+    end_bank_q <= {end_bank_q[3:0], end_bank_i};
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
+      wait_valid_q <= 1'b0;
       test_valid_q <= 1'b0;
       merge_valid_q <= 1'b0;
       end_q <= '0;
     end else begin
-      test_valid_q <= block_valid_i;
+      wait_valid_q <= block_valid_i;
+      test_valid_q <= wait_valid_q;
       merge_valid_q <= test_valid_q;
-      end_q <= {end_q[2:0], end_i};
+      end_q <= {end_q[3:0], end_i};
     end
   end
 
@@ -175,8 +190,8 @@ module fragment #(
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
       no_block_twice_in_three_clocks: assert (!block_valid_i ||
-          (!(test_valid_q && {test_state_q.bank, test_row_q} == {read_bank_o, read_row_o}) &&
-           !(merge_valid_q && {merge_state_q.bank, merge_row_q} == {read_bank_o, read_row_o})));
+          (!(wait_valid_q && {wait_state_q.bank, wait_row_q} == {read_bank_o, read_row_o}) &&
+           !(test_valid_q && {test_state_q.bank, test_row_q} == {read_bank_o, read_row_o})));
       end_after_last_block: assert (!end_i || !block_valid_i);
     end
   end

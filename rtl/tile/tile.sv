@@ -111,7 +111,7 @@ module tile #(
   logic [31:0] load_colour, load_depth;
 
   // tile_store
-  logic store_read_en, store_done, store_bank;
+  logic store_read_en, store_moves, store_done, store_bank;
   logic [RowBits-1:0] store_row;
   logic colour_reads, colour_free, depth_reads, depth_free;
 
@@ -313,6 +313,7 @@ module tile #(
       .store_colour_en_i (store_read_en && !part_depth && store_bank == b),
       .store_depth_en_i  (store_read_en && part_depth && store_bank == b),
       .store_read_row_i  (store_row),
+      .store_moves_i     (store_moves),
       .store_done_i      (store_done && store_bank == b),
       .drawn_o           (drawn[b]),
       .stored_o          (stored[b]),
@@ -368,6 +369,7 @@ module tile #(
     .part_pitch_i      (part_pitch),
     .bank_stored_i     (stored[store_bank]),
     .read_en_o         (store_read_en),
+    .moves_o           (store_moves),
     .row_o             (store_row),
     .bank_done_o       (store_done),
     .mark_i            (mark[store_bank*MarkBits+:MarkBits]),

@@ -2,7 +2,7 @@
 // Reads tiles that are drawn, in stream order, colour before depth, and sends their rows to memory
 // or into the response stream, one row of K pixels a clock. A tile waits here until it is drawn and
 // its end is known; the bank is given back when its last row has been read. Three clocks from the
-// read to the output.
+// read to the output, the first two in the bank.
 module tile_store #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -26,9 +26,10 @@ module tile_store #(
   input  logic [AddressBits-1:0] part_address_i,
   input  logic [PitchBits-1:0]   part_pitch_i,
 
-  // the bank of tile_o; its row comes one clock after the read and stays
+  // the bank of tile_o: see there
   input  logic                   bank_stored_i,
   output logic                   read_en_o,
+  output logic                   moves_o,        // the row in the RAM's output, to the register
   output logic [RowBits-1:0]     row_o,
   output logic                   bank_done_o,
   input  logic [MarkBits-1:0]    mark_i,
@@ -77,13 +78,12 @@ module tile_store #(
   logic [AddressBits-1:0] address_q;
   logic [PitchBits-1:0] pitch_q;
 
-  // The row in the RAM's output, where its marks are compared, then both parts in registers where
-  // one is chosen, then at the output.
+  // The row in the RAM's output, then both parts in the bank's register, where marks are compared
+  // and one is chosen, then at the output.
   logic ram_valid_q, ram_depth_q, ram_answer_q, ram_last_q;
   logic word_valid_q, word_is_depth_q, word_answer_q, word_last_q, word_moves;
-  logic [Width-1:0] word_colour_q, word_depth_q;
   logic [31:0] word_clear_q;
-  logic colour_fresh_q, depth_fresh_q, word_fresh;
+  logic word_fresh;
   logic [Width-1:0] word;
   logic out_valid, out_ready, out_answer, out_last;
   logic [Width-1:0] out_word;
@@ -173,8 +173,9 @@ module tile_store #(
 
   // Rows.
   assign word_moves = !word_valid_q || out_ready;
-  assign word = word_is_depth_q ? word_depth_q : word_colour_q;
-  assign word_fresh = word_is_depth_q ? depth_fresh_q : colour_fresh_q;
+  assign moves_o = word_moves;
+  assign word = word_is_depth_q ? depth_i : colour_i;
+  assign word_fresh = (word_is_depth_q ? depth_mark_i : colour_mark_i) == mark_i;
 
   always_ff @(posedge clk_i) begin
     if (read_en_o) begin
@@ -183,11 +184,7 @@ module tile_store #(
       ram_last_q <= row_last;
     end
     if (word_moves) begin
-      word_colour_q <= colour_i;
-      word_depth_q <= depth_i;
       word_clear_q <= ram_depth_q ? clear_depth_i : clear_colour_i;
-      colour_fresh_q <= colour_mark_i == mark_i;
-      depth_fresh_q <= depth_mark_i == mark_i;
       word_is_depth_q <= ram_depth_q;
       word_answer_q <= ram_answer_q;
       word_last_q <= ram_last_q;

@@ -113,9 +113,9 @@ public:
 			drive(*block);
 		settle();
 		TB_CHECK(top.read_en_o == (block != nullptr), "a block is not read at once");
-		/* Before the write: what is read in the clock of its write is anything. */
-		Row read = top.read_en_o ? this->read() : Row();
+		/* After the write: what is read in the clock of its write is what is written. */
 		write();
+		Row read = top.read_en_o ? this->read() : Row();
 		if (top.end_o) {
 			TB_CHECK(ended >= 0 && ended == top.end_bank_o, "end of a tile that has not ended");
 			ended = -1;
@@ -213,21 +213,22 @@ private:
 		bank.depth_fresh[top.write_row_o] = true;
 	}
 
-	/* In the clock after a read its clear values are there, one later its row. */
+	/* Two clocks after a read its clear values are there, one later its row. */
 	void answer(const Row &now)
 	{
-		top.clear_colour_i = now.valid ? now.clear_colour : random.bits();
-		top.clear_depth_i = now.valid ? now.clear_depth : random.bits();
+		top.clear_colour_i = last.valid ? last.clear_colour : random.bits();
+		top.clear_depth_i = last.valid ? last.clear_depth : random.bits();
 		for (int l = 0; l < LANES; l++) {
 			tb_set(top.row_colour_i, 32 * l, 32, before.valid ? before.colour[l] : random.bits());
 			tb_set(top.row_depth_i, 32 * l, 32, before.valid ? before.depth[l] : random.bits());
 		}
 		top.row_colour_fresh_i = before.valid ? before.colour_fresh : random.chance(50);
 		top.row_depth_fresh_i = before.valid ? before.depth_fresh : random.chance(50);
-		before = now;
+		before = last;
+		last = now;
 	}
 
-	Row before;
+	Row last, before;	/* read one and two clocks ago */
 	int ended = -1;
 };
 

@@ -208,17 +208,18 @@ private:
 			drawing.push_back(op);
 	}
 
-	/* A row a clock, read, and written two clocks later; then the end. */
+	/* A row a clock, read, and written three clocks later; then the end. */
 	void fragment()
 	{
+		flight[3] = flight[2];
 		flight[2] = flight[1];
 		flight[1] = flight[0];
 		flight[0] = Flight();
-		flight[1].clear_colour = top.clear_colour_o;
-		flight[1].clear_depth = top.clear_depth_o;
-		top.write_en_i = flight[2].valid;
-		if (flight[2].valid)
-			write_row(flight[2]);
+		flight[2].clear_colour = top.clear_colour_o;
+		flight[2].clear_depth = top.clear_depth_o;
+		top.write_en_i = flight[3].valid;
+		if (flight[3].valid)
+			write_row(flight[3]);
 		top.end_i = !ends.empty() && ends.front().first <= clocks;
 		if (top.end_i) {
 			top.end_bank_i = ends.front().second;
@@ -229,7 +230,7 @@ private:
 		if (drawing.empty() || hold(fragment_stall))
 			return;
 		if (drawing.front().kind == render_end) {
-			ends.push_back({ clocks + 2, drawing.front().bank });
+			ends.push_back({ clocks + 3, drawing.front().bank });
 			drawing.pop_front();
 			return;
 		}
@@ -241,8 +242,8 @@ private:
 		int row = (op.draw->first + drawn) % rows;
 
 		/* Not within three clocks of itself. */
-		for (const Flight &other : flight)
-			if (other.valid && other.row == row && other.bank == op.bank)
+		for (int n = 1; n < 3; n++)
+			if (flight[n].valid && flight[n].row == row && flight[n].bank == op.bank)
 				return;
 		flight[0].valid = true;
 		flight[0].bank = op.bank;
@@ -258,7 +259,7 @@ private:
 		}
 	}
 
-	/* The row that was read two clocks ago is there: is it what it should be? Writes the new one. */
+	/* The row that was read three clocks ago is there: is it what it should be? Writes the new one. */
 	void write_row(const Flight &row)
 	{
 		const Draw &draw = *row.draw;
@@ -298,7 +299,7 @@ private:
 
 	std::deque<Op> queue, drawing;
 	std::deque<std::pair<uint64_t, bool>> ends;
-	Flight flight[3];	/* read in this clock, in the one before, two before */
+	Flight flight[4];	/* read in this clock, in the one before, two before, three before */
 	int drawn = 0;
 	bool bank = true;
 	bool offered_begin = false, offered_end = false, offered_op = false;
