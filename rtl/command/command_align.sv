@@ -53,7 +53,6 @@ module command_align #(
   );
 
   assign end_o = !ample_q && few_q == '0;
-  assign whole_o = !ample_q && few_q == (CountBits+2)'(have_o);
   assign left_o = left_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -75,25 +74,38 @@ module command_align #(
     assign have_o = beat_valid && !end_o;
     assign beat_ready = take_i;
     assign small_o = beat[31:24] == gloss_pkg::OP_TRIANGLE_SMALL;
+    assign whole_o = !ample_q && few_q == (CountBits+2)'(have_o);
   end else begin : gen_window
     localparam int unsigned LaneBits = $clog2(Lanes);
+    localparam logic [Lanes:0] More = {(Lanes+1){1'b1}};  // than Lanes
+    localparam logic [Lanes:0] Whole = {1'b0, {Lanes{1'b1}}};
 
     logic [StreamBits-1:0] first_q; // words_o starts in it and ends in beat
     logic                  full_q;
     logic [LaneBits-1:0]   skip_q;  // words of it that were taken
-    logic [CountBits-1:0]  first_words, some;
+    // Numbers of words as masks, a bit for each word up to Lanes, one more in few: the least of two
+    // is their conjunction, and there is no carry on the way from have_o to take_i and back.
+    logic [Lanes:0]        first, some, few, have;
     logic [LaneBits:0]     skip_sum;
     logic                  spent, needed;
     logic [Lanes-1:0]      is_small, small_q;  // found out before the words are shifted
 
-    assign first_words = full_q ? CountBits'(Lanes) - CountBits'(skip_q) : '0;
-    assign some = full_q && beat_valid ? CountBits'(Lanes) : first_words;
-    assign have_o = ample_q || few_q > (CountBits+2)'(some) ? some : few_q[CountBits-1:0];
+    assign first = full_q ? Whole >> skip_q : '0;
+    assign some = full_q && beat_valid ? Whole : first;
+    assign few = ample_q || |few_q[CountBits+1:CountBits] ? More : ~(More << few_q[CountBits-1:0]);
+    assign have = some & few;
+    assign whole_o = (few & ~some) == '0;
+
+    always_comb begin
+      have_o = '0;
+      for (int n = 0; n < Lanes; n++) if (have[n] && !have[n+1]) have_o = CountBits'(n + 1);
+    end
+
     assign words_o = StreamBits'({beat, first_q} >> {skip_q, 5'b0});
 
     assign skip_sum = {1'b0, skip_q} + (LaneBits+1)'(take_i);
     assign spent = skip_sum[LaneBits];
-    assign needed = ample_q || few_q > (CountBits+2)'(first_words);
+    assign needed = (few & ~first) != '0;
     assign beat_ready = needed && (!full_q || spent);
 
     for (genvar l = 0; l < Lanes; l++) begin : gen_small

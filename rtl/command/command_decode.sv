@@ -93,7 +93,7 @@ module command_decode #(
   logic                 go_q;               // a record was taken whole, and no op after it
 
   logic [CountBits-1:0] take, take_q;
-  logic                 header_take, row_take, have_row, head_there;
+  logic                 header_take, row_take, have_row, head_full;
   logic                 header_check_q, row_check_q;
 
   logic [3:0]           header_fault;
@@ -147,8 +147,7 @@ module command_decode #(
 
   assign start_o = job_valid_i && job_ready_o;
   assign have_row = have_i >= row_words;
-  // Of a record that the stream cuts off, what is left: its header is then found wrong.
-  assign head_there = have_i == CountBits'(Lanes) || (whole_i && have_i != '0);
+  assign head_full = have_i == CountBits'(Lanes);
 
   // ---- first step: what is taken, and what goes to the queue with it ----
   always_comb begin
@@ -189,8 +188,9 @@ module command_decode #(
             step_cause = gloss_pkg::FAULT_ORDER;
             step_behind = 1'b0;
             state_d = Finish;
-          end else if (small_i ? head_there : have_i != '0) begin
-            take = small_i ? have_i : CountBits'(1);
+          end else if (have_i != '0 && (!small_i || head_full || whole_i)) begin
+            // A record that the stream cuts off is its header alone, which is then found wrong.
+            take = small_i && head_full ? CountBits'(Lanes) : CountBits'(1);
             header_take = 1'b1;
             op_kind = gloss_pkg::RENDER_HEADER;
             op_part = small_i ? gloss_pkg::PART_SMALL : gloss_pkg::PART_NONE;
