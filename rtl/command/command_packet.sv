@@ -78,7 +78,8 @@ module command_packet #(
     Verdict,  // and with its answer all that can be wrong is known
     State,    // hand on to the render queue
     Surface,
-    Begin,
+    Begin,    // tile first,
+    Mark,     // then the render queue
     End,      // RENDER_END goes first: the tile can not end before its drawing has
     Close,
     Copy,
@@ -198,10 +199,13 @@ module command_packet #(
       Surface: done_o = 1'b1;
       Begin: begin
         // A copy never runs beside a tile.
-        tile_begin_valid_o = copy_idle_i && push_ready_i;
-        push_o = tile_begin_valid_o && tile_begin_ready_i;
+        tile_begin_valid_o = copy_idle_i;
+        if (tile_begin_valid_o && tile_begin_ready_i) state_d = Mark;
+      end
+      Mark: begin
+        push_o = 1'b1;
         push_kind_o = gloss_pkg::RENDER_BEGIN;
-        done_o = push_o;
+        done_o = push_ready_i;
       end
       End: begin
         push_o = 1'b1;
@@ -285,7 +289,7 @@ module command_packet #(
       end else if (accept) begin
         second_q <= 1'b1;
       end
-      if (done_o && state_q == Begin) in_tile_q <= 1'b1;
+      if (done_o && state_q == Mark) in_tile_q <= 1'b1;
       if (done_o && state_q == Close) in_tile_q <= 1'b0;
       if (clear_i) begin
         colour_pitch_q <= '0;
