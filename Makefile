@@ -78,11 +78,12 @@ INSTALLS   :=
 include libaccel/libaccel.mk
 include rtl/board/board.mk
 include tools/tools.mk
+include mesa_shim/shim.mk
 include driver/driver.mk
 
 # Tests, in the order in which they need each other's objects.
 include $(addprefix tests/,stream/stream.mk port/port.mk usb/usb.mk unit/unit.mk gl/oracle.mk decode/decode.mk \
-	hwgen/hwgen.mk view/view.mk image/image.mk bench/bench.mk info/info.mk vboard/vboard.mk \
+	hwgen/hwgen.mk gl/gl.mk view/view.mk image/image.mk bench/bench.mk info/info.mk vboard/vboard.mk \
 	rtl/raster.mk rtl/command.mk rtl/tile.mk rtl/port.mk synth/synth.mk stream/grammar.mk fuzz/fuzz.mk \
 	fuzz/fuzz_draw.mk fuzz/fuzz_usb.mk vm/vm.mk install/install.mk abi/abi.mk docs/docs.mk tests.mk lint.mk)
 
@@ -109,7 +110,7 @@ compile-commands: $(BUILD)/compile_commands.json ## write build/compile_commands
 
 FORCE:
 
-C_SOURCES := $(wildcard $(addsuffix /*.c,libaccel libaccel/* libaccel/*/* tools/* tools/*/* tests/* \
+C_SOURCES := $(wildcard $(addsuffix /*.c,libaccel libaccel/* libaccel/*/* mesa_shim/* tools/* tools/*/* tests/* \
 	tests/unit/* tests/vm/runner examples))
 -include $(foreach folder,$(sort $(dir $(C_SOURCES))),$(wildcard $(BUILD)/$(folder)*.d \
 	$(BUILD)/fuzz/*/$(folder)*.d))

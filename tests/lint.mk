@@ -24,7 +24,7 @@ lint-style: ## instances of the RTL in one form, lines up to 100 columns
 
 # All of C but the driver's, which has the kernel's tools below.
 lint-tidy: $(BUILD)/compile_commands.json check-generated ## clang-tidy on the C sources, tests too
-	$(call quiet,TIDY,libaccel tools tests)
+	$(call quiet,TIDY,libaccel mesa_shim tools tests)
 	@mkdir -p $(BUILD)/check
 	$(Q)printf '%s\n' $(C_SOURCES) | xargs -P $(JOBS) -n 8 clang-tidy --quiet -p $(BUILD) \
 		2>$(BUILD)/check/tidy.log || { cat $(BUILD)/check/tidy.log; exit 1; }
@@ -33,15 +33,16 @@ lint-tidy: $(BUILD)/compile_commands.json check-generated ## clang-tidy on the C
 # the members of a struct among arguments for assignments. A test may end by a signal without memory; and
 # 2.17 takes words for unset that one argument of a call packs for another.
 lint-cppcheck: check-generated ## cppcheck on the C sources, tests too
-	$(call quiet,CPPCHECK,libaccel tools tests)
+	$(call quiet,CPPCHECK,libaccel mesa_shim tools tests)
 	$(Q)cppcheck -j $(JOBS) --quiet --std=c11 --enable=warning,performance,portability --inline-suppr \
-		--error-exitcode=1 -Ilibaccel -Idriver $(filter -I%,$(FLAGS_tests)) \
+		--error-exitcode=1 -Ilibaccel -Imesa_shim -Idriver $(filter -I%,$(FLAGS_tests)) \
 		--suppress=missingIncludeSystem --suppress=normalCheckLevelMaxBranches \
 		$(patsubst %,'--suppress=%:tests/*',unknownEvaluationOrder uninitvar \
 			nullPointerOutOfMemory nullPointerArithmeticOutOfMemory) $(C_SOURCES)
 
 # All of C but what is generated, the README's program and the kernel's.
-FORMAT_SOURCES = $(filter-out libaccel/gloss_packets.h tools/decode/gloss_table.h tests/hwgen/% examples/%, \
+FORMAT_SOURCES = $(filter-out libaccel/gloss_packets.h tools/decode/gloss_table.h tests/hwgen/% examples/% \
+	$(GL_GENERATED:%=mesa_shim/api/%), \
 	$(C_SOURCES) $(wildcard $(addsuffix *.h,$(sort $(dir $(C_SOURCES))))))
 .PHONY: lint-format format
 lint-format: ## clang-format on the C sources; make format does what it says
