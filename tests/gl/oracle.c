@@ -61,17 +61,17 @@ static void limit(double colour[2][4])
 bool oracle_transform(const struct oracle_state *state, const struct oracle_vertex *vertex,
 		      struct oracle_corner *corner)
 {
-	double normal[3];
 	bool doubt = false;
 
 	memset(corner, 0, sizeof(*corner));
 	multiply(state->modelview, vertex->position, corner->eye);
 	multiply(state->projection, corner->eye, corner->clip);
-	oracle_normal(state, vertex->normal, normal);
+	oracle_normal(state, vertex->normal, corner->normal);
+	memcpy(corner->current, vertex->colour, sizeof(corner->current));
 	for (int side = 0; side < ORACLE_SIDES; side++) {
 		if (state->lighting)
-			doubt |= oracle_light(state, side, corner->eye, normal, vertex->colour,
-					      corner->colour[side]);
+			doubt |= oracle_light(state, side, corner->eye, corner->normal,
+					      vertex->colour, corner->colour[side]);
 		else
 			memcpy(corner->colour[side][0], vertex->colour, sizeof(vertex->colour));
 		limit(corner->colour[side]);

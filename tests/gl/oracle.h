@@ -67,6 +67,7 @@ struct oracle_state {
 	double ambient[4];
 	struct oracle_material material[ORACLE_SIDES];
 	struct oracle_light light[ORACLE_LIGHTS];
+	bool lit_pixels; /* not OpenGL's: lit at each pixel, which better shading is to be like */
 	unsigned int planes; /* bits of user clip planes that are enabled */
 	double plane[ORACLE_PLANES][4];
 };
@@ -76,9 +77,9 @@ struct oracle_vertex {
 	double position[4], normal[3], colour[4];
 };
 
-/* Transformed and lit. The second colour is that of separate highlights. */
+/* Transformed, the normal too, and lit. The second colour is that of separate highlights. */
 struct oracle_corner {
-	double eye[4], clip[4];
+	double eye[4], clip[4], normal[3], current[4];
 	double colour[ORACLE_SIDES][2][4];
 };
 

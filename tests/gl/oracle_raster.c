@@ -121,8 +121,9 @@ static void find_largest(struct drawn *drawn)
 	}
 }
 
-/* Colours in perspective (3.6), of which the second is added (3.9), and depth (3.7). */
-static void values_at(const struct drawn *drawn, const struct place *at, double value[5])
+/* The parts that corners have in a point on screen, and those in perspective (3.6). */
+static void shares_at(const struct drawn *drawn, const struct place *at, double share[3],
+		      double weight[3])
 {
 	const struct place *p[3];
 	double whole, sum = 0;
@@ -130,19 +131,66 @@ static void values_at(const struct drawn *drawn, const struct place *at, double 
 	for (int i = 0; i < 3; i++)
 		p[i] = &drawn->place[drawn->largest[i]];
 	whole = area(p[0], p[1], p[2]);
-	memset(value, 0, 5 * sizeof(*value));
 	for (int i = 0; i < 3; i++) {
-		const double(*colour)[4] = drawn->corner[drawn->largest[i]].colour[drawn->side];
-		double share = area(p[(i + 1) % 3], p[(i + 2) % 3], at) / whole;
-		double weight = share / p[i]->w;
-
-		sum += weight;
-		value[4] += share * p[i]->z;
-		for (int j = 0; j < 4; j++)
-			value[j] += weight * (colour[0][j] + colour[1][j]);
+		share[i] = area(p[(i + 1) % 3], p[(i + 2) % 3], at) / whole;
+		weight[i] = share[i] / p[i]->w;
+		sum += weight[i];
 	}
+	for (int i = 0; i < 3; i++)
+		weight[i] /= sum;
+}
+
+static void add(double *sum, double weight, const double *value, int count)
+{
+	for (int i = 0; i < count; i++)
+		sum[i] += weight * value[i];
+}
+
+static double length(const double v[3])
+{
+	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* Lit here: the normal turns from corner to corner, and its length changes evenly. */
+static void light_at(const struct oracle_state *state, const struct drawn *drawn,
+		     const double weight[3], double colour[2][4])
+{
+	double eye[4] = { 0 }, normal[3] = { 0 }, current[4] = { 0 }, wanted = 0, has;
+
+	for (int i = 0; i < 3; i++) {
+		const struct oracle_corner *corner = &drawn->corner[drawn->largest[i]];
+
+		add(eye, weight[i], corner->eye, 4);
+		add(normal, weight[i], corner->normal, 3);
+		add(current, weight[i], corner->current, 4);
+		wanted += weight[i] * length(corner->normal);
+	}
+	has = length(normal);
+	for (int i = 0; i < 3 && has > 0; i++)
+		normal[i] *= wanted / has;
+	oracle_light(state, drawn->side, eye, normal, current, colour);
+}
+
+/* Colours, of which the second is added to the first (3.9), and depth (3.7). */
+static void values_at(const struct oracle_state *state, const struct drawn *drawn,
+		      const struct place *at, double value[5])
+{
+	double share[3], weight[3], colour[2][4] = { { 0 } };
+
+	shares_at(drawn, at, share, weight);
+	value[4] = 0;
+	for (int i = 0; i < 3; i++) {
+		int corner = drawn->largest[i];
+
+		value[4] += share[i] * drawn->place[corner].z;
+		for (int j = 0; j < 2; j++)
+			add(colour[j], weight[i], drawn->corner[corner].colour[drawn->side][j], 4);
+	}
+	if (state->lit_pixels && state->lighting && !state->flat)
+		light_at(state, drawn, weight, colour);
 	for (int j = 0; j < 4; j++)
-		value[j] = fmin(fmax(value[j] / sum, 0), 1);
+		value[j] = fmin(fmax(colour[0][j] + colour[1][j], 0), 1);
+	value[4] = fmin(fmax(value[4], 0), 1);
 }
 
 /* How much depth changes from a pixel to the next, across or up. */
@@ -158,11 +206,12 @@ static double depth_slope(const struct drawn *drawn)
 	return ORACLE_ROUND * fmax(fabs(across / whole), fabs(up / whole));
 }
 
-static void paint(const struct drawn *drawn, const struct place *centre, struct oracle_pixel *pixel)
+static void paint(const struct oracle_state *state, const struct drawn *drawn,
+		  const struct place *centre, struct oracle_pixel *pixel)
 {
 	double value[5], moved[5];
 
-	values_at(drawn, centre, value);
+	values_at(state, drawn, centre, value);
 	memcpy(pixel->colour, value, sizeof(pixel->colour));
 	pixel->depth = value[4];
 	pixel->slope = depth_slope(drawn);
@@ -172,7 +221,7 @@ static void paint(const struct drawn *drawn, const struct place *centre, struct 
 		const struct place beside = { .x = centre->x + (i & 1 ? 0.5 : -0.5),
 					      .y = centre->y + (i & 2 ? 0.5 : -0.5) };
 
-		values_at(drawn, &beside, moved);
+		values_at(state, drawn, &beside, moved);
 		for (int j = 0; j < 5; j++)
 			pixel->slack[j] = fmax(pixel->slack[j], fabs(moved[j] - value[j]));
 	}
@@ -196,7 +245,7 @@ static void fill(const struct oracle_state *state, const struct drawn *drawn,
 			continue;
 		picture->pixel[i].drawn = true;
 		picture->pixel[i].inside = inside;
-		paint(drawn, &centre, &picture->pixel[i]);
+		paint(state, drawn, &centre, &picture->pixel[i]);
 	}
 }
 

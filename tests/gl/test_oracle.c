@@ -370,6 +370,29 @@ static void squares_with_a_corner_at_infinity_are_not_drawn(void **state)
 		assert_false(pixels[i].drawn);
 }
 
+/*
+ * Light along z on normals turned by 60 degrees to the left and to the right: cos 60 at the corners.
+ * At the third pixel's centre, 5/8 across, it is (sin 60 / 4, 1/2), whose cosine is
+ * 0.5 / sqrt(3/64 + 16/64) = 4 / sqrt 19.
+ */
+static void pixels_are_lit_by_the_normals_between(void **state)
+{
+	struct oracle_vertex vertex[4] = {
+		{ .position = { -1, -1, 0, 1 }, .normal = { -ROOT3 / 2, 0, 0.5 } },
+		{ .position = { 0, -1, 0, 1 }, .normal = { ROOT3 / 2, 0, 0.5 } },
+		{ .position = { 0, 0, 0, 1 }, .normal = { ROOT3 / 2, 0, 0.5 } },
+		{ .position = { -1, 0, 0, 1 }, .normal = { -ROOT3 / 2, 0, 0.5 } },
+	};
+
+	(void)state;
+	material(1, 0, 0);
+	oracle_draw(&gl, ORACLE_QUADS, vertex, 4, &picture);
+	assert_near(pixels[2].colour[0], 0.5);
+	gl.lit_pixels = true;
+	oracle_draw(&gl, ORACLE_QUADS, vertex, 4, &picture);
+	assert_near(pixels[2].colour[0], 4 / sqrt(19));
+}
+
 /* Counter-clockwise is front, until it is said to be back; backs are culled, or fronts. */
 static void faces_are_told_by_how_they_turn(void **state)
 {
@@ -423,6 +446,7 @@ int main(void)
 		TEST(colours_are_limited),
 		TEST(flat_squares_have_the_colour_of_their_fourth_vertex),
 		TEST(squares_with_a_corner_at_infinity_are_not_drawn),
+		TEST(pixels_are_lit_by_the_normals_between),
 		TEST(faces_are_told_by_how_they_turn),
 		TEST(centres_on_left_and_top_edges_are_inside),
 	};
