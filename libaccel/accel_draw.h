@@ -78,6 +78,23 @@ enum accel_compare {
 
 enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
 
+/* What becomes of the length of normals. */
+enum accel_normals {
+	ACCEL_NORMALS_UNIT,    /* they are made unit length in eye space, OpenGL's NORMALIZE */
+	ACCEL_NORMALS_RESCALE, /* divided by what the modelview matrix scales by, RESCALE_NORMAL */
+	ACCEL_NORMALS_AS_GIVEN /* as they are after the inverse of the modelview matrix */
+};
+
+/* What of a material vertices' colours replace. */
+enum accel_tracks {
+	ACCEL_TRACKS_NONE,
+	ACCEL_TRACKS_EMISSION,
+	ACCEL_TRACKS_AMBIENT,
+	ACCEL_TRACKS_DIFFUSE,
+	ACCEL_TRACKS_SPECULAR,
+	ACCEL_TRACKS_AMBIENT_DIFFUSE
+};
+
 /*
  * Reflectances, RGBA, and the specular exponent. The alpha of a lit pixel is diffuse[3]. With all
  * members zero a surface is black and its alpha 0.
@@ -147,18 +164,31 @@ void accel_state_set_depth(struct accel_state *state, enum accel_compare func, b
 /* Which channels are written; all by default. */
 void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue,
 				 bool alpha);
-/* Which faces are not drawn, none by default. Front faces are counter-clockwise on screen
- * (NDC, y up). */
+/* Which faces are not drawn, none by default. */
 void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
+/* Which way front faces turn in NDC, y up: false, the default: counter-clockwise. */
+void accel_state_set_front_face(struct accel_state *state, bool clockwise);
+/*
+ * Where NDC y = -1 is. False, the default: at the bottom of the viewport, so that y is up on the
+ * target. True: at its top, which is nearest to row 0, as in textures of OpenGL. Viewport and
+ * scissor are as ever, and so is which faces are front faces.
+ */
+void accel_state_set_origin(struct accel_state *state, bool bottom);
+/*
+ * ACCEL_NORMALS_UNIT by default. With another, diffuse light is the length of a normal times as
+ * bright, and between vertices, where light is worked out there, direction and length are linear.
+ */
+void accel_state_set_normals(struct accel_state *state, enum accel_normals normals);
 /* Off by default: the colours of vertices are drawn as they are, or white without any. */
 void accel_state_set_lighting(struct accel_state *state, bool enabled);
 /*
- * What a mesh's colours do while lighting is on. True: limited to 0..1 they take the place of the
- * material's ambient and diffuse reflectances, on both sides, and of its alpha. This is OpenGL's
- * COLOR_MATERIAL with its default mode. False, the default: nothing. A mesh without colours has
- * those of the material.
+ * What colours of vertices do while lighting is on: those members of the front and of the back
+ * material are taken from them, as OpenGL's COLOR_MATERIAL does. Where that is the diffuse
+ * reflectance, so is alpha. ACCEL_TRACKS_NONE, the default: nothing. Without colours all is the
+ * material's.
  */
-void accel_state_set_colour_material(struct accel_state *state, bool enabled);
+void accel_state_set_colour_material(struct accel_state *state, enum accel_tracks front,
+				     enum accel_tracks back);
 /* How back faces are lit. True: with the normal reversed and the back material. False, the
  * default: as front faces. */
 void accel_state_set_two_sided(struct accel_state *state, bool enabled);

@@ -75,7 +75,10 @@ struct accel_state {
 	bool depth_write;
 	bool colour_mask[4];
 	enum accel_cull cull;
-	bool lighting, two_sided, local_viewer, colour_material;
+	bool clockwise, bottom; /* front faces; row 0 is NDC y = -1 */
+	enum accel_normals normals;
+	bool lighting, two_sided, local_viewer;
+	enum accel_tracks tracks[2]; /* front, back */
 	float ambient[4];
 	struct accel_material material[2]; /* front, back */
 	struct accel_light light[ACCEL_LIGHTS];

@@ -120,6 +120,21 @@ void accel_state_set_cull(struct accel_state *state, enum accel_cull cull)
 	state->cull = cull;
 }
 
+void accel_state_set_front_face(struct accel_state *state, bool clockwise)
+{
+	state->clockwise = clockwise;
+}
+
+void accel_state_set_origin(struct accel_state *state, bool bottom)
+{
+	state->bottom = bottom;
+}
+
+void accel_state_set_normals(struct accel_state *state, enum accel_normals normals)
+{
+	state->normals = normals;
+}
+
 void accel_state_set_lighting(struct accel_state *state, bool enabled)
 {
 	state->lighting = enabled;
@@ -135,9 +150,11 @@ void accel_state_set_local_viewer(struct accel_state *state, bool enabled)
 	state->local_viewer = enabled;
 }
 
-void accel_state_set_colour_material(struct accel_state *state, bool enabled)
+void accel_state_set_colour_material(struct accel_state *state, enum accel_tracks front,
+				     enum accel_tracks back)
 {
-	state->colour_material = enabled;
+	state->tracks[0] = front;
+	state->tracks[1] = back;
 }
 
 static bool state_finite(const float *value, int count)

@@ -81,6 +81,7 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 		corner->vertex.eye[i] = a->eye[i] + s * (b->eye[i] - a->eye[i]);
 		corner->vertex.normal[i] = a->normal[i] + s * (b->normal[i] - a->normal[i]);
 	}
+	corner->vertex.length = a->length + s * (b->length - a->length);
 	for (int i = 0; i < 4; i++)
 		corner->vertex.paint[i] = a->paint[i] + s * (b->paint[i] - a->paint[i]);
 	corner->vertex.level = 0;

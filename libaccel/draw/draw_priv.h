@@ -116,6 +116,7 @@ struct accel_vertex {
 	double z;         /* of the window, 0 to 1 */
 	float eye[3];
 	float normal[3];      /* eye space; unit at a mesh's vertices, linear between */
+	float length;         /* of the normal, as light takes it; 1 if it is made unit length */
 	float paint[4];       /* the mesh's colour, where it is the material's; else 1 */
 	int level;            /* splits that made it, up to ACCEL_SPLIT_LEVELS */
 	unsigned int sampled; /* 0 no, 1 as front, 2 as back side */
@@ -167,6 +168,8 @@ struct accel_window {
 
 struct accel_transform {
 	double clip[16], eye[16], normal[9]; /* column by column */
+	double normal_scale;                 /* of what is left of normals' length; 0: it is 1 */
+	bool paint_limited;                  /* to 0..1: it is drawn as it is */
 	struct accel_window window;
 };
 
@@ -222,9 +225,10 @@ struct accel_lamp {
 
 /* One side of the material under all lights. */
 struct accel_finish {
-	float base[3];     /* what is the same everywhere, and takes the paint */
-	float emission[3]; /* what takes none; in base if there is none */
-	float alpha;
+	float base[3];  /* what is the same everywhere, and takes the paint */
+	float plain[3]; /* what takes none; in base if there is no paint */
+	bool paints_ambient, paints_diffuse, paints_specular;
+	float alpha; /* paints_diffuse: of the paint */
 	float shininess;
 	float faint_cosine; /* below it a highlight is not worth its power function */
 	float visible_cosine, visible_sine; /* of the angle at which a highlight is lost */
@@ -233,23 +237,27 @@ struct accel_finish {
 
 struct accel_lighting {
 	bool local_viewer;
+	bool unit;           /* all normals have length 1 */
 	float cone_exponent; /* the largest */
 	int lamps;
 	struct accel_lamp lamp[ACCEL_LIGHTS];
 	struct accel_finish finish[2]; /* front, back */
 };
 
-/* @painted: ambient and diffuse reflectance, and alpha, are the paint of each sample. */
+/* @painted: there is paint for what the state's materials take from it. */
 void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state,
 			 bool painted);
-/* @normal need not be unit length; the back side has it reversed. @paint is 1 if not painted. */
+/*
+ * @normal need not be unit length, and is made so; the back side has it reversed. @paint is 1 if not
+ * painted.
+ */
 void accel_lighting_sample(const struct accel_lighting *lighting, int side, const float eye[3],
 			   const float normal[3], const float paint[4],
 			   struct accel_sample *sample);
-/* What one lamp alone adds to the colour there. */
+/* What one lamp alone adds to the colour at a vertex. */
 void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
-			 const struct accel_lamp *lamp, const float eye[3], const float normal[3],
-			 const float paint[4], float colour[3]);
+			 const struct accel_lamp *lamp, const struct accel_vertex *vertex,
+			 float colour[3]);
 /* accel_lighting_sample for @count vertices, at most ACCEL_BATCH. */
 void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
 			     struct accel_vertex *const *vertex, int count);
@@ -353,8 +361,8 @@ void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int 
 
 /* ---- face.c ---- */
 
-/* Gives all three the normal of their triangle. */
-void accel_face_flatten(struct accel_vertex *const vertex[3]);
+/* Gives all three the normal of their triangle, which is front from where it turns that way. */
+void accel_face_flatten(struct accel_vertex *const vertex[3], bool clockwise);
 
 /* ---- patch.c ---- */
 

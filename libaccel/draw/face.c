@@ -41,9 +41,12 @@ static void face_normal(const float a[3], const float b[3], const float c[3], fl
 		out[i] = length > 0 ? (float)(n[i] / length) : 0;
 }
 
-void accel_face_flatten(struct accel_vertex *const vertex[3])
+void accel_face_flatten(struct accel_vertex *const vertex[3], bool clockwise)
 {
-	face_normal(vertex[0]->eye, vertex[1]->eye, vertex[2]->eye, vertex[0]->normal);
+	const struct accel_vertex *second = vertex[clockwise ? 2 : 1];
+	const struct accel_vertex *third = vertex[clockwise ? 1 : 2];
+
+	face_normal(vertex[0]->eye, second->eye, third->eye, vertex[0]->normal);
 	memcpy(vertex[1]->normal, vertex[0]->normal, sizeof(vertex[0]->normal));
 	memcpy(vertex[2]->normal, vertex[0]->normal, sizeof(vertex[0]->normal));
 }
@@ -56,7 +59,7 @@ static void face_vertices_flush(const struct accel_pass *pass, struct vertices *
 	for (int i = 0; i < list->count; i++)
 		accel_geometry_vertex_of(&list->batch, i, list->vertex[i]);
 	for (int i = 0; i < list->count && own; i += 3)
-		accel_face_flatten(&list->vertex[i]);
+		accel_face_flatten(&list->vertex[i], pass->state->clockwise);
 	accel_shading_vertices(pass, list->vertex, list->count, side);
 	list->count = 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /* The matrices of a mesh, the window and what of it is visible; single points of clip space. */
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 
 #include "draw/geometry_window.h"
@@ -27,13 +28,19 @@ static void geometry_multiply(double out[16], const float a[16], const float b[1
 	}
 }
 
-/*
- * Normals go by the inverse transpose, which is the matrix of cofactors over the determinant. They
- * are made unit length later, so of the determinant only the sign is needed.
- */
-static void geometry_normal_matrix(double out[9], const float m[16])
+static double geometry_length(const double v[3])
 {
-	double determinant = 0;
+	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/*
+ * Normals go by the inverse transpose, which is the matrix of cofactors over the determinant. Their
+ * directions are made unit length later, so there of the determinant only the sign is needed.
+ */
+static void geometry_normal_matrix(struct accel_transform *transform, const float m[16],
+				   enum accel_normals normals)
+{
+	double *out = transform->normal, determinant = 0, scale = 0;
 
 	for (int column = 0; column < 3; column++) {
 		int c1 = 4 * ((column + 1) % 3), c2 = 4 * ((column + 2) % 3);
@@ -49,6 +56,12 @@ static void geometry_normal_matrix(double out[9], const float m[16])
 		determinant += out[row] * (double)m[row];
 	for (int i = 0; i < 9 && determinant < 0; i++)
 		out[i] = -out[i];
+	/* OpenGL rescales by the length of the inverse's third row. */
+	if (normals == ACCEL_NORMALS_RESCALE)
+		scale = 1 / geometry_length(&out[6]);
+	if (normals == ACCEL_NORMALS_AS_GIVEN)
+		scale = 1 / fabs(determinant);
+	transform->normal_scale = scale;
 }
 
 static int geometry_clamp(int64_t value, int low, int high)
@@ -91,7 +104,7 @@ static void geometry_window_init(struct accel_window *window, const struct accel
 		geometry_intersect(&window->visible, state->scissor.x, state->scissor.y,
 				   state->scissor.width, state->scissor.height);
 	window->scale[0] = w / 2;
-	window->scale[1] = -h / 2;
+	window->scale[1] = state->bottom ? h / 2 : -h / 2;
 	window->scale[2] = ((double)state->depth_far - (double)state->depth_near) / 2;
 	window->offset[0] = x + w / 2;
 	window->offset[1] = y + h / 2;
@@ -108,7 +121,8 @@ void accel_geometry_init(struct accel_transform *transform, const struct accel_s
 	geometry_multiply(transform->clip, state->projection, state->modelview);
 	for (int i = 0; i < 16; i++)
 		transform->eye[i] = (double)state->modelview[i];
-	geometry_normal_matrix(transform->normal, state->modelview);
+	geometry_normal_matrix(transform, state->modelview, state->normals);
+	transform->paint_limited = !state->lighting;
 	geometry_window_init(&transform->window, state, width, height);
 }
 
@@ -146,6 +160,7 @@ void accel_geometry_vertex_of(const struct accel_vertex_batch *batch, int i,
 	vertex->w = batch->w[i];
 	vertex->z = batch->z[i];
 	vertex->outside = batch->outside[i];
+	vertex->length = batch->length[i];
 	vertex->level = 0;
 	vertex->sampled = 0;
 	for (int j = 0; j < 3; j++) {

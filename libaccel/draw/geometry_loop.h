@@ -47,7 +47,8 @@ static inline uint32_t loop_eye(const struct accel_transform *transform,
 	return finite;
 }
 
-static inline uint32_t loop_normal(const double m[9], struct accel_vertex_batch *batch, int i)
+static inline uint32_t loop_normal(const double m[9], double scale,
+				   struct accel_vertex_batch *batch, int i)
 {
 	double x = (double)batch->across[0][i], y = (double)batch->across[1][i];
 	double z = (double)batch->across[2][i], n[3], length;
@@ -58,6 +59,9 @@ static inline uint32_t loop_normal(const double m[9], struct accel_vertex_batch 
 		n[row] = m[row] * x + m[3 + row] * y + m[6 + row] * z;
 	length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
 	length = length > 0 ? length : 1;
+	scale *= length;
+	scale = scale < (double)FLT_MAX ? scale : (double)FLT_MAX;
+	batch->length[i] = scale > 0 ? (float)scale : 1;
 #pragma GCC unroll 4
 	for (int row = 0; row < 3; row++) {
 		batch->normal[row][i] = (float)(n[row] / length);
@@ -66,13 +70,12 @@ static inline uint32_t loop_normal(const double m[9], struct accel_vertex_batch 
 	return finite;
 }
 
-/* Paint is limited to 0..1. */
-static inline uint32_t loop_paint(float *paint)
+static inline uint32_t loop_paint(float *paint, float least, float most)
 {
 	const float value = *paint;
 
-	*paint = value < 0 ? 0 : value;
-	*paint = *paint > 1 ? 1 : *paint;
+	*paint = value < least ? least : value;
+	*paint = *paint > most ? most : *paint;
 	return loop_finite(value);
 }
 
@@ -80,6 +83,8 @@ static void loop_transform(const struct accel_transform *by, struct accel_vertex
 			   int count, bool normals)
 {
 	const struct accel_transform transform = *by; /* which nothing in @batch can change */
+	const float least = by->paint_limited ? 0 : -FLT_MAX;
+	const float most = by->paint_limited ? 1 : FLT_MAX;
 
 	for (int i = 0; i < count; i++) {
 		const double at[4] = { (double)batch->position[0][i], (double)batch->position[1][i],
@@ -89,9 +94,11 @@ static void loop_transform(const struct accel_transform *by, struct accel_vertex
 		batch->finite[i] = loop_place(&transform, batch, i, at) &
 				   loop_eye(&transform, batch, i, at);
 	}
+	for (int i = 0; i < count; i++)
+		batch->length[i] = 1;
 	for (int i = 0; i < count && normals; i++)
-		batch->finite[i] &= loop_normal(transform.normal, batch, i);
+		batch->finite[i] &= loop_normal(transform.normal, transform.normal_scale, batch, i);
 	for (int component = 0; component < 4; component++)
 		for (int i = 0; i < count; i++)
-			batch->finite[i] &= loop_paint(&batch->paint[component][i]);
+			batch->finite[i] &= loop_paint(&batch->paint[component][i], least, most);
 }

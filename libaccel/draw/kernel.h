@@ -27,7 +27,7 @@ struct accel_vertex_batch {
 	/* The rest is as in accel_vertex. What has ACCEL_OUTSIDE_CLIP bits has any x, y, w, z. */
 	double z[ACCEL_BATCH];
 	int32_t x[ACCEL_BATCH], y[ACCEL_BATCH];
-	float w[ACCEL_BATCH], eye[3][ACCEL_BATCH], normal[3][ACCEL_BATCH];
+	float w[ACCEL_BATCH], eye[3][ACCEL_BATCH], normal[3][ACCEL_BATCH], length[ACCEL_BATCH];
 	uint32_t outside[ACCEL_BATCH];
 	uint32_t finite[ACCEL_BATCH]; /* 0: something is too large for a float, or no number */
 };
@@ -35,11 +35,15 @@ struct accel_vertex_batch {
 /* ---- lighting_loop.h ---- */
 
 struct accel_light_batch {
-	float eye[3][ACCEL_BATCH], normal[3][ACCEL_BATCH], paint[4][ACCEL_BATCH]; /* of points */
+	/* Of points, as in accel_vertex. */
+	float eye[3][ACCEL_BATCH], normal[3][ACCEL_BATCH], length[ACCEL_BATCH];
+	float paint[4][ACCEL_BATCH];
 	/* Their light, as in accel_sample. */
 	float colour[4][ACCEL_BATCH], shine[ACCEL_BATCH], near[ACCEL_BATCH], near_lamp[ACCEL_BATCH];
 	uint32_t facing[ACCEL_BATCH], in_cone[ACCEL_BATCH];
-	float unit[3][ACCEL_BATCH], viewer[3][ACCEL_BATCH]; /* of the loops: directions */
+	/* Of the loops: directions, what the length makes of a highlight, paint as it is taken. */
+	float unit[3][ACCEL_BATCH], viewer[3][ACCEL_BATCH], gloss[ACCEL_BATCH];
+	float ambient[3][ACCEL_BATCH], diffuse[3][ACCEL_BATCH], specular[3][ACCEL_BATCH];
 };
 
 /* ---- setup_loop.h ---- */
@@ -123,8 +127,8 @@ struct accel_kernel {
 	const char *name;
 	bool (*runs)(void); /* has this processor the instructions? */
 	/*
-	 * The first @count vertices of @batch, and their paint is limited. Without @normals, across
-	 * and normal are left alone.
+	 * The first @count vertices of @batch, and their paint may be limited. Without @normals,
+	 * across and normal are left alone, and length is 1.
 	 */
 	void (*transform)(const struct accel_transform *transform, struct accel_vertex_batch *batch,
 			  int count, bool normals);

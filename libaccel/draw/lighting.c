@@ -4,6 +4,7 @@
  * eye space. The highlight is Blinn's: by the half vector between viewer and light.
  */
 #include <math.h>
+#include <string.h>
 
 #include "draw/kernel.h"
 
@@ -33,10 +34,24 @@ static float lighting_brightest(const float rgb[3])
 	return fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
 }
 
-static const float white[4] = { 1, 1, 1, 1 };
+/* The material of a side, with white for what is painted. */
+static struct accel_material lighting_material(const struct accel_finish *finish,
+					       const struct accel_state *state, int side)
+{
+	static const float white[4] = { 1, 1, 1, 1 };
+	struct accel_material material = state->material[side];
+
+	if (finish->paints_ambient)
+		memcpy(material.ambient, white, sizeof(white));
+	if (finish->paints_diffuse)
+		memcpy(material.diffuse, white, sizeof(white));
+	if (finish->paints_specular)
+		memcpy(material.specular, white, sizeof(white));
+	return material;
+}
 
 static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
-			       const struct accel_light *light, bool painted)
+			       const struct accel_light *light, const struct accel_finish finish[2])
 {
 	static const float ahead[3] = { 0, 0, 1 };
 
@@ -59,13 +74,12 @@ static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state
 		lamp->half[i] = lamp->position[i] + ahead[i];
 	lighting_normalise(lamp->half);
 	for (int side = 0; side < 2; side++) {
-		const struct accel_material *material = &state->material[side];
+		const struct accel_material material = lighting_material(&finish[side], state,
+									 side);
 
-		lighting_product(lamp->ambient[side], light->ambient,
-				 painted ? white : material->ambient);
-		lighting_product(lamp->diffuse[side], light->diffuse,
-				 painted ? white : material->diffuse);
-		lighting_product(lamp->specular[side], light->specular, material->specular);
+		lighting_product(lamp->ambient[side], light->ambient, material.ambient);
+		lighting_product(lamp->diffuse[side], light->diffuse, material.diffuse);
+		lighting_product(lamp->specular[side], light->specular, material.specular);
 		lamp->shines |= lighting_brightest(lamp->specular[side]) > 0;
 	}
 }
@@ -78,16 +92,44 @@ static float lighting_fall_cosine(float strength, float n, float level)
 	return n > 0 ? (float)pow((double)(level / strength), 1 / (double)n) : 0;
 }
 
-static void lighting_finish_init(struct accel_lighting *lighting, const struct accel_state *state,
-				 int side, bool painted)
+static void lighting_paints(struct accel_finish *finish, enum accel_tracks tracks)
 {
-	const struct accel_material *material = &state->material[side];
+	finish->paints_ambient = tracks == ACCEL_TRACKS_AMBIENT ||
+				 tracks == ACCEL_TRACKS_AMBIENT_DIFFUSE;
+	finish->paints_diffuse = tracks == ACCEL_TRACKS_DIFFUSE ||
+				 tracks == ACCEL_TRACKS_AMBIENT_DIFFUSE;
+	finish->paints_specular = tracks == ACCEL_TRACKS_SPECULAR;
+}
+
+/* What is the same everywhere is the sum of the ambient light, @base so far, and the emission. */
+static void lighting_same_everywhere(struct accel_finish *finish, const float emission[3],
+				     enum accel_tracks tracks, bool painted)
+{
+	for (int i = 0; i < 3; i++) {
+		const float ambient = finish->base[i];
+
+		finish->plain[i] = 0;
+		if (tracks == ACCEL_TRACKS_EMISSION) {
+			finish->base[i] = 1;
+			finish->plain[i] = ambient;
+		} else if (finish->paints_ambient) {
+			finish->plain[i] = emission[i];
+		} else if (painted) {
+			finish->base[i] = 0;
+			finish->plain[i] = ambient + emission[i];
+		}
+	}
+}
+
+static void lighting_finish_init(struct accel_lighting *lighting, const struct accel_state *state,
+				 int side, enum accel_tracks tracks, bool painted)
+{
 	struct accel_finish *finish = &lighting->finish[side];
+	const struct accel_material of = lighting_material(finish, state, side), *material = &of;
 	float diffuse[3] = { 0 }, specular[3] = { 0 };
 
-	lighting_product(finish->base, state->ambient, painted ? white : material->ambient);
+	lighting_product(finish->base, state->ambient, material->ambient);
 	for (int i = 0; i < 3; i++) {
-		finish->emission[i] = painted ? material->emission[i] : 0;
 		finish->base[i] += painted ? 0 : material->emission[i];
 		for (int j = 0; j < lighting->lamps; j++) {
 			const struct accel_lamp *lamp = &lighting->lamp[j];
@@ -98,7 +140,8 @@ static void lighting_finish_init(struct accel_lighting *lighting, const struct a
 			specular[i] += lamp->specular[side][i];
 		}
 	}
-	finish->alpha = painted ? 1 : fminf(fmaxf(material->diffuse[3], 0), 1);
+	lighting_same_everywhere(finish, material->emission, tracks, painted);
+	finish->alpha = fminf(fmaxf(material->diffuse[3], 0), 1);
 	finish->shininess = material->shininess;
 	finish->diffuse = lighting_brightest(diffuse);
 	finish->specular = lighting_brightest(specular);
@@ -112,7 +155,13 @@ static void lighting_finish_init(struct accel_lighting *lighting, const struct a
 void accel_lighting_init(struct accel_lighting *lighting, const struct accel_state *state,
 			 bool painted)
 {
+	const enum accel_tracks tracks[2] = { painted ? state->tracks[0] : ACCEL_TRACKS_NONE,
+					      painted ? state->tracks[1] : ACCEL_TRACKS_NONE };
+
+	for (int side = 0; side < 2; side++)
+		lighting_paints(&lighting->finish[side], tracks[side]);
 	lighting->local_viewer = state->local_viewer;
+	lighting->unit = state->normals == ACCEL_NORMALS_UNIT;
 	lighting->cone_exponent = 0;
 	lighting->lamps = 0;
 	for (int i = 0; i < ACCEL_LIGHTS; i++) {
@@ -120,20 +169,21 @@ void accel_lighting_init(struct accel_lighting *lighting, const struct accel_sta
 
 		if (!state->light[i].enabled)
 			continue;
-		lighting_lamp_init(lamp, state, &state->light[i], painted);
+		lighting_lamp_init(lamp, state, &state->light[i], lighting->finish);
 		lamp->bit = (uint8_t)(1 << i);
 		if (lamp->spot)
 			lighting->cone_exponent = fmaxf(lighting->cone_exponent,
 							lamp->cone_exponent);
 		lighting->lamps++;
 	}
-	lighting_finish_init(lighting, state, 0, painted);
-	lighting_finish_init(lighting, state, 1, painted);
+	lighting_finish_init(lighting, state, 0, tracks[0], painted);
+	lighting_finish_init(lighting, state, 1, tracks[1], painted);
 }
 
 static void lighting_put(struct accel_light_batch *batch, int i, const float eye[3],
-			 const float normal[3], const float paint[4])
+			 const float normal[3], float length, const float paint[4])
 {
+	batch->length[i] = length;
 	for (int j = 0; j < 3; j++) {
 		batch->eye[j][i] = eye[j];
 		batch->normal[j][i] = normal[j];
@@ -159,7 +209,8 @@ void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
 	struct accel_light_batch batch;
 
 	for (int i = 0; i < count; i++)
-		lighting_put(&batch, i, vertex[i]->eye, vertex[i]->normal, vertex[i]->paint);
+		lighting_put(&batch, i, vertex[i]->eye, vertex[i]->normal, vertex[i]->length,
+			     vertex[i]->paint);
 	accel_kernel()->light(lighting, side, &batch, count);
 	for (int i = 0; i < count; i++)
 		lighting_take(&batch, i, &vertex[i]->sample);
@@ -170,18 +221,18 @@ void accel_lighting_sample(const struct accel_lighting *lighting, int side, cons
 {
 	struct accel_light_batch batch;
 
-	lighting_put(&batch, 0, eye, normal, paint);
+	lighting_put(&batch, 0, eye, normal, 1, paint);
 	accel_kernel()->light(lighting, side, &batch, 1);
 	lighting_take(&batch, 0, sample);
 }
 
 void accel_lighting_lamp(const struct accel_lighting *lighting, int side,
-			 const struct accel_lamp *lamp, const float eye[3], const float normal[3],
-			 const float paint[4], float colour[3])
+			 const struct accel_lamp *lamp, const struct accel_vertex *vertex,
+			 float colour[3])
 {
 	struct accel_light_batch batch;
 
-	lighting_put(&batch, 0, eye, normal, paint);
+	lighting_put(&batch, 0, vertex->eye, vertex->normal, vertex->length, vertex->paint);
 	accel_kernel()->light_lamp(lighting, lamp, side, &batch, 1);
 	for (int i = 0; i < 3; i++)
 		colour[i] = batch.colour[i][0];

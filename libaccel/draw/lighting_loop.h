@@ -50,6 +50,40 @@ LOOP_INLINE void loop_light_begin(const struct accel_lighting *lighting, int sid
 	}
 }
 
+/* What of the material is the paint's. */
+LOOP_INLINE void loop_tint(bool painted, struct accel_light_batch *batch,
+			   float (*tint)[ACCEL_BATCH], int count)
+{
+#pragma GCC unroll 4
+	for (int j = 0; j < 3; j++)
+		for (int i = 0; i < count; i++)
+			tint[j][i] = loop_choose(painted, batch->paint[j][i], 1);
+}
+
+LOOP_INLINE void loop_tints(const struct accel_finish *finish, struct accel_light_batch *batch,
+			    int count)
+{
+	loop_tint(finish->paints_ambient, batch, batch->ambient, count);
+	loop_tint(finish->paints_diffuse, batch, batch->diffuse, count);
+	loop_tint(finish->paints_specular, batch, batch->specular, count);
+}
+
+/* A highlight is a power of a cosine, times this power of the normal's length. */
+LOOP_INLINE void loop_gloss(const struct accel_lighting *lighting, float shininess,
+			    struct accel_light_batch *batch, int count)
+{
+	for (int i = 0; i < count; i++)
+		batch->gloss[i] = 1;
+	for (int i = 0; i < count && !lighting->unit; i++) {
+		float length = batch->length[i];
+		float least = loop_choose(length < 1, length, 1 / length);
+		float power = loop_power(least, shininess);
+
+		power = loop_choose(power > 0x1p-126f, power, 0x1p-126f);
+		batch->gloss[i] = loop_choose(length < 1, power, 1 / power);
+	}
+}
+
 /* The direction towards a lamp that is a point; returns how much of its light arrives. */
 LOOP_INLINE float loop_reach(const struct accel_lamp *lamp, struct accel_light_batch *batch, int i,
 			     float to[3], bool spot)
@@ -110,7 +144,7 @@ LOOP_INLINE void loop_lamp(const struct accel_lighting *lighting, const struct a
 #pragma GCC unroll 4
 			for (int j = 0; j < 3; j++)
 				batch->colour[j][i] += factor * lamp.ambient[side][j] *
-						       batch->paint[j][i];
+						       batch->ambient[j][i];
 		}
 		cosine = loop_dot(normal, to);
 		lit = cosine > 0;
@@ -118,17 +152,19 @@ LOOP_INLINE void loop_lamp(const struct accel_lighting *lighting, const struct a
 			shine = loop_half_cosine(&lamp, batch, i, normal, to, moves);
 			batch->shine[i] = loop_choose(shine > batch->shine[i], shine,
 						      batch->shine[i]);
-			highlight = factor * loop_power(shine, finish.shininess);
+			highlight = factor * loop_power(shine, finish.shininess) * batch->gloss[i];
 			highlight = loop_choose((shine > finish.faint_cosine) |
-							(finish.shininess == 0),
+							(finish.shininess == 0) |
+							(batch->length[i] > 1),
 						highlight, 0);
+			highlight = loop_choose(highlight < FLT_MAX, highlight, FLT_MAX);
 		}
 		batch->facing[i] |= loop_mask(lit) & lamp.bit;
-		cosine *= factor;
+		cosine *= factor * batch->length[i];
 #pragma GCC unroll 4
 		for (int j = 0; j < 3; j++) {
-			float more = cosine * lamp.diffuse[side][j] * batch->paint[j][i] +
-				     highlight * lamp.specular[side][j];
+			float more = cosine * lamp.diffuse[side][j] * batch->diffuse[j][i] +
+				     highlight * lamp.specular[side][j] * batch->specular[j][i];
 			float sum = batch->colour[j][i] + more;
 
 			batch->colour[j][i] = loop_choose(lit, sum, batch->colour[j][i]);
@@ -175,18 +211,23 @@ static void loop_light(const struct accel_lighting *lighting, int side,
 	loop_light_begin(lighting, side, batch, count);
 #pragma GCC unroll 4
 	for (int j = 0; j < 3; j++) {
-		const float base = finish->base[j], emission = finish->emission[j];
+		const float base = finish->base[j], plain = finish->plain[j];
 
 		for (int i = 0; i < count; i++)
-			batch->colour[j][i] = base * batch->paint[j][i] + emission;
+			batch->colour[j][i] = base * batch->paint[j][i] + plain;
 	}
+	loop_tints(finish, batch, count);
+	loop_gloss(lighting, finish->shininess, batch, count);
 	for (int i = 0; i < lighting->lamps; i++)
 		loop_any_lamp(lighting, &lighting->lamp[i], side, batch, count);
 	loop_clamp_colour(batch, count);
 	for (int i = 0; i < count; i++) {
 		batch->near[i] = batch->near_lamp[i] > batch->near[i] ? batch->near_lamp[i] :
 									batch->near[i];
-		batch->colour[3][i] = finish->alpha * batch->paint[3][i];
+		batch->colour[3][i] = loop_choose(finish->paints_diffuse, batch->paint[3][i],
+						  finish->alpha);
+		batch->colour[3][i] = loop_choose(batch->colour[3][i] > 0, batch->colour[3][i], 0);
+		batch->colour[3][i] = loop_choose(batch->colour[3][i] < 1, batch->colour[3][i], 1);
 	}
 }
 
@@ -194,6 +235,8 @@ static void loop_light_lamp(const struct accel_lighting *lighting, const struct 
 			    int side, struct accel_light_batch *batch, int count)
 {
 	loop_light_begin(lighting, side, batch, count);
+	loop_tints(&lighting->finish[side], batch, count);
+	loop_gloss(lighting, lighting->finish[side].shininess, batch, count);
 #pragma GCC unroll 4
 	for (int j = 0; j < 3; j++)
 		for (int i = 0; i < count; i++)

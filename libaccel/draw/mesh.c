@@ -81,8 +81,8 @@ uint32_t accel_mesh_transform(const struct accel_pass *pass, uint32_t first, uin
 /* The side that is seen; -1: neither, or it is culled. */
 static int mesh_visible_side(const struct accel_state *state, int64_t area)
 {
-	/* Counter-clockwise on screen is front, and window y points down. */
-	bool back = area > 0;
+	/* Counter-clockwise in NDC is front, and on the screen y points down. */
+	bool back = (area > 0) != (state->clockwise != state->bottom);
 
 	if (area == 0 || state->cull == (back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT))
 		return -1;
@@ -226,7 +226,7 @@ static void mesh_vertices(const struct accel_pass *pass, const uint32_t index[3]
 	for (int i = 0; i < 3; i++)
 		accel_geometry_vertex_of(&batch, i, &vertex[i]);
 	if (!accel_pass_shares(pass))
-		accel_face_flatten(corner);
+		accel_face_flatten(corner, pass->state->clockwise);
 }
 
 static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], uint32_t planes)

@@ -28,6 +28,7 @@ void accel_patch_middle(const struct accel_vertex *a, const struct accel_vertex 
 	middle->level = (a->level > b->level ? a->level : b->level) + 1;
 	middle->sampled = 0;
 	middle->sample = (struct accel_sample){ 0 };
+	middle->length = s * a->length + t * b->length;
 	for (int i = 0; i < 3; i++) {
 		middle->eye[i] = s * a->eye[i] + t * b->eye[i];
 		middle->normal[i] = s * a->normal[i] + t * b->normal[i];
@@ -58,6 +59,7 @@ static void patch_blend(const struct accel_vertex *const corner[3], const float 
 	for (int i = 0; i < 3; i++) {
 		float part = weight[i] / sum;
 
+		vertex->length += part * corner[i]->length;
 		for (int j = 0; j < 3; j++) {
 			vertex->eye[j] += part * corner[i]->eye[j];
 			vertex->normal[j] += part * corner[i]->normal[j];

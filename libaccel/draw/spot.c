@@ -23,8 +23,7 @@ static float spot_correction(float a, float m, float b, bool rim)
 static void spot_light(const struct accel_pass *pass, const struct accel_lamp *lamp,
 		       const struct accel_vertex *vertex, int side, float colour[3])
 {
-	accel_lighting_lamp(&pass->lighting, side, lamp, vertex->eye, vertex->normal, vertex->paint,
-			    colour);
+	accel_lighting_lamp(&pass->lighting, side, lamp, vertex, colour);
 	for (int i = 0; i < 3; i++)
 		if (colour[i] > vertex->sample.colour[i])
 			colour[i] = vertex->sample.colour[i];

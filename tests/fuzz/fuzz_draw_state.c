@@ -66,7 +66,11 @@ static void set_surfaces(struct accel_state *state)
 	accel_state_set_ambient(state, ambient);
 	accel_state_set_material(state, &front, one_in(2) ? &back : NULL);
 	accel_state_set_lighting(state, !one_in(3));
-	accel_state_set_colour_material(state, one_in(3));
+	accel_state_set_colour_material(state, (enum accel_tracks)below(6),
+					(enum accel_tracks)below(6));
+	accel_state_set_normals(state, (enum accel_normals)below(3));
+	accel_state_set_front_face(state, one_in(2));
+	accel_state_set_origin(state, one_in(4));
 	accel_state_set_two_sided(state, one_in(2));
 	accel_state_set_local_viewer(state, one_in(2));
 	accel_state_set_shading(state, (enum accel_shading)below(4));

@@ -127,6 +127,8 @@ static void set_state(struct accel_state *state, const struct oracle_state *gl,
 {
 	static const enum accel_cull culls[] = { ACCEL_CULL_NONE, ACCEL_CULL_BACK,
 						 ACCEL_CULL_FRONT };
+	const enum accel_tracks tracks = gl->follow[0] ? ACCEL_TRACKS_AMBIENT_DIFFUSE :
+							 ACCEL_TRACKS_NONE;
 	float ambient[4];
 
 	set_view(state, gl);
@@ -138,7 +140,7 @@ static void set_state(struct accel_state *state, const struct oracle_state *gl,
 	accel_state_set_local_viewer(state, gl->local_viewer);
 	accel_state_set_two_sided(state, gl->two_sided);
 	accel_state_set_cull(state, culls[gl->cull]);
-	accel_state_set_colour_material(state, gl->follow[0] != 0);
+	accel_state_set_colour_material(state, tracks, tracks);
 	accel_state_set_shading(state, gl->flat ? ACCEL_SHADING_FLAT : shading);
 }
 

@@ -69,6 +69,8 @@ void scene_init(struct scene *scene, int width, int height)
 
 int scene_apply(const struct scene *scene, struct accel_state *state)
 {
+	const enum accel_tracks tracks = scene->painted ? ACCEL_TRACKS_AMBIENT_DIFFUSE :
+							  ACCEL_TRACKS_NONE;
 	int ret;
 
 	accel_state_set_modelview(state, scene->modelview);
@@ -78,7 +80,7 @@ int scene_apply(const struct scene *scene, struct accel_state *state)
 	accel_state_set_lighting(state, true);
 	accel_state_set_two_sided(state, scene->two_sided);
 	accel_state_set_local_viewer(state, scene->local_viewer);
-	accel_state_set_colour_material(state, scene->painted);
+	accel_state_set_colour_material(state, tracks, tracks);
 	ret = accel_state_set_ambient(state, scene->ambient);
 	if (!ret)
 		ret = accel_state_set_material(state, &scene->material[0], &scene->material[1]);

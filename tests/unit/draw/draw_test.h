@@ -16,6 +16,7 @@ static inline struct accel_vertex vertex_at(int x, int y)
 		.x = x * one,
 		.y = y * one,
 		.w = 1,
+		.length = 1,
 		.paint = { 1, 1, 1, 1 },
 	};
 }

@@ -65,12 +65,13 @@ static void colours_are_the_ambient_and_diffuse_reflectance_and_alpha(void **sta
 	for (int shading = 0; shading <= ACCEL_SHADING_FLAT; shading++) {
 		accel_state_set_shading(f->state, shading);
 		material = before;
-		accel_state_set_colour_material(f->state, true);
+		accel_state_set_colour_material(f->state, ACCEL_TRACKS_AMBIENT_DIFFUSE,
+						ACCEL_TRACKS_AMBIENT_DIFFUSE);
 		assert_int_equal(accel_state_set_material(f->state, &material, NULL), 0);
 		draw(f, painted);
 		memcpy(material.ambient, colour, sizeof(colour));
 		memcpy(material.diffuse, colour, sizeof(colour));
-		accel_state_set_colour_material(f->state, false);
+		accel_state_set_colour_material(f->state, ACCEL_TRACKS_NONE, ACCEL_TRACKS_NONE);
 		assert_int_equal(accel_state_set_material(f->state, &material, NULL), 0);
 		draw(f, plain);
 		assert_same(painted, plain, 1);
@@ -88,7 +89,8 @@ static void colours_are_nothing_unless_asked_for(void **state)
 	draw(f, without);
 	assert_memory_equal(with, without, sizeof(with));
 	/* Asked for and not there: the material. */
-	accel_state_set_colour_material(f->state, true);
+	accel_state_set_colour_material(f->state, ACCEL_TRACKS_AMBIENT_DIFFUSE,
+					ACCEL_TRACKS_AMBIENT_DIFFUSE);
 	draw(f, with);
 	assert_memory_equal(with, without, sizeof(with));
 }
@@ -109,7 +111,8 @@ static void colours_run_from_vertex_to_vertex(void **state)
 		assert_int_equal(accel_state_set_light(f->state, i, &off), 0);
 	assert_int_equal(accel_state_set_material(f->state, &material, NULL), 0);
 	accel_state_set_ambient(f->state, ambient);
-	accel_state_set_colour_material(f->state, true);
+	accel_state_set_colour_material(f->state, ACCEL_TRACKS_AMBIENT_DIFFUSE,
+					ACCEL_TRACKS_AMBIENT_DIFFUSE);
 	accel_state_set_projection(f->state, slab);
 	for (uint32_t i = 0; i < shape.mesh.vertices; i++)
 		for (int j = 0; j < 3; j++)
@@ -130,11 +133,12 @@ static void colours_that_are_no_numbers_are_refused(void **state)
 {
 	struct fixture *f = *state;
 
-	accel_state_set_colour_material(f->state, true);
+	accel_state_set_colour_material(f->state, ACCEL_TRACKS_AMBIENT_DIFFUSE,
+					ACCEL_TRACKS_AMBIENT_DIFFUSE);
 	colours[3][1] = NAN;
 	assert_int_equal(accel_draw_begin(f->draw, f->target, NULL), 0);
 	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), -EINVAL);
-	/* And limited to 0..1 if they are. */
+	/* Others are taken, whatever they are. */
 	colours[3][1] = 1e30f;
 	assert_int_equal(accel_draw_mesh(f->draw, f->state, &shape.mesh), 0);
 }

@@ -116,8 +116,11 @@ static void light_is_the_same_with_all_instructions(void **unused)
 
 		any_lights(&seed, state);
 		accel_state_set_local_viewer(state, n & 2);
+		accel_state_set_normals(state, (enum accel_normals)(n % 3));
+		accel_state_set_colour_material(state, (enum accel_tracks)(n % 6),
+						(enum accel_tracks)(n / 6 % 6));
 		accel_lighting_init(&lighting, state, n & 4);
-		fill(&seed, &given.eye[0][0], 10 * (size_t)ACCEL_BATCH, n % 8 ? 2 : 60);
+		fill(&seed, &given.eye[0][0], 11 * (size_t)ACCEL_BATCH, n % 8 ? 2 : 60);
 		wanted = got = given;
 		accel_kernel_baseline.light(&lighting, side, &wanted, count);
 		settle(&wanted.shine, 3 * sizeof(wanted.shine));
