@@ -333,6 +333,8 @@ struct accel_walk {
 	uint32_t triangle;  /* of the primitive: the next one, */
 	uint32_t triangles; /* of so many */
 	bool whole;         /* all vertices of it, if it is a polygon, can be drawn */
+	/* Of separate triangles with indices of four bytes, which most meshes are: the next one's. */
+	const uint8_t *number;
 };
 
 /* Begins with triangle @first, which there is. */
@@ -443,6 +445,10 @@ struct accel_setup {
 	bool narrow;          /* fits edges_compact */
 	struct accel_line left, right, middle;
 	struct accel_row row[ACCEL_SETUP_ROWS]; /* from @first on, as many as there are */
+	/* If there are no more: how many pixels they have, visible or not, in which box, and the
+	 * first of them in its row. */
+	int pixels, start;
+	struct accel_bounds box;
 };
 
 /* Are the edge's numbers small enough for the core? */

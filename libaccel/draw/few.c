@@ -11,30 +11,18 @@
 
 #define CHANNELS 4
 
-/* Adds pixels @left to @right - 1 of a row; false: they are too many. */
-static bool few_add(struct accel_few *few, int left, int right, int y)
-{
-	if (right - left > ACCEL_FEW - few->count)
-		return false;
-	for (int x = left; x < right; x++)
-		few->pixel[few->count++] = (struct accel_pixel){ x, y };
-	return true;
-}
-
 void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
 		    const struct accel_setup *setup)
 {
 	few->count = 0;
 	if (!pass->lit || pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
-	    setup->end - setup->first > ACCEL_SETUP_ROWS)
+	    setup->end - setup->first > ACCEL_SETUP_ROWS || setup->pixels > ACCEL_FEW)
 		return;
 	for (int y = setup->first; y < setup->end; y++) {
 		const struct accel_row *row = &setup->row[y - setup->first];
 
-		if (!few_add(few, row->left, row->right, y)) {
-			few->count = 0;
-			return;
-		}
+		for (int x = row->left; x < row->right; x++)
+			few->pixel[few->count++] = (struct accel_pixel){ x, y };
 	}
 }
 

@@ -67,6 +67,9 @@ struct accel_setup_batch {
 	int32_t first[ACCEL_BATCH], turn[ACCEL_BATCH], end[ACCEL_BATCH];
 	uint32_t right_turns[ACCEL_BATCH], narrow[ACCEL_BATCH];
 	uint32_t covers[ACCEL_BATCH]; /* is a pixel of the first rows visible? */
+	/* Of these rows: as in accel_setup. */
+	int32_t x0[ACCEL_BATCH], y0[ACCEL_BATCH], x1[ACCEL_BATCH], y1[ACCEL_BATCH];
+	int32_t start[ACCEL_BATCH], pixels[ACCEL_BATCH];
 	struct accel_line_batch left, right, middle;
 	struct accel_row_batch row[ACCEL_SETUP_ROWS];
 	int32_t at[2][ACCEL_BATCH], at_r[2][ACCEL_BATCH]; /* of the loops */

@@ -297,7 +297,9 @@ int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end)
 		accel_primitives_begin(&walk, pass, first);
 	for (uint64_t i = first; i < end && !err; i++) {
 		pass->stats->triangles_in++;
-		if (accel_primitives_next(&walk, index))
+		if (walk.number && walk.triangle < walk.triangles ?
+			    accel_primitives_next_listed(&walk, index) :
+			    accel_primitives_next(&walk, index))
 			err = mesh_put_triangle(pass, index, &seen);
 		else
 			pass->stats->culled++;

@@ -67,6 +67,12 @@ static void primitives_enter(struct accel_walk *walk, uint32_t triangle)
 	if (walk->triangle < walk->triangles)
 		walk->whole = walk->primitive->topology != ACCEL_TOPOLOGY_POLYGON ||
 			      primitives_polygon_drawable(walk);
+	walk->number = NULL;
+	if (walk->primitive->topology == ACCEL_TOPOLOGY_TRIANGLES && !walk->pass->gather &&
+	    walk->pass->elements->index && walk->pass->elements->index_type == ACCEL_TYPE_UINT)
+		walk->number = (const uint8_t *)walk->pass->elements->index +
+			       ((size_t)walk->primitive->first + 3 * (size_t)triangle) *
+				       sizeof(uint32_t);
 }
 
 void accel_primitives_begin(struct accel_walk *walk, const struct accel_pass *pass, uint64_t first)
@@ -140,6 +146,8 @@ bool accel_primitives_next(struct accel_walk *walk, uint32_t index[3])
 		walk->primitive++;
 		primitives_enter(walk, 0);
 	}
+	if (walk->number)
+		return accel_primitives_next_listed(walk, index);
 	drawable = walk->whole;
 	primitives_elements(walk->primitive->topology, walk->triangle++, element);
 	for (int i = 0; i < 4; i++) {

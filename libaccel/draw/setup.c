@@ -180,6 +180,10 @@ static void setup_take(const struct accel_setup_batch *batch, int i, struct acce
 			batch->row[row].left_r[i],
 			batch->row[row].right_r[i],
 		};
+	setup->pixels = batch->pixels[i];
+	setup->start = batch->start[i];
+	setup->box = (struct accel_bounds){ batch->x0[i], batch->y0[i], batch->x1[i],
+					    batch->y1[i] };
 }
 
 bool accel_setup_draws(const struct accel_setup_batch *batch, int i,

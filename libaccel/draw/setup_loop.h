@@ -144,6 +144,21 @@ LOOP_INLINE void loop_triangle(struct accel_setup_batch *batch, int i)
 	batch->narrow[i] = loop_is_narrow(batch, i, top, turn, bottom);
 }
 
+/* Adds the pixels from @left to before @right of row @y. */
+LOOP_INLINE void loop_box_row(struct accel_setup_batch *batch, int i, int32_t y, int32_t left,
+			      int32_t right)
+{
+	bool filled = (y < batch->end[i]) & (left < right);
+	bool starts = filled & (batch->pixels[i] == 0);
+
+	batch->start[i] = loop_choose_int(starts, left, batch->start[i]);
+	batch->y0[i] = loop_choose_int(starts, y, batch->y0[i]);
+	batch->y1[i] = loop_choose_int(filled, y + 1, batch->y1[i]);
+	batch->x0[i] = loop_choose_int(filled & (left < batch->x0[i]), left, batch->x0[i]);
+	batch->x1[i] = loop_choose_int(filled & (right > batch->x1[i]), right, batch->x1[i]);
+	batch->pixels[i] += loop_choose_int(filled, right - left, 0);
+}
+
 /* Row @row of a triangle to @out, and on to the next. */
 LOOP_INLINE void loop_step_row(struct accel_setup_batch *batch, int row, int i,
 			       const struct accel_bounds *visible, struct accel_row_batch *out)
@@ -165,6 +180,7 @@ LOOP_INLINE void loop_step_row(struct accel_setup_batch *batch, int row, int i,
 	out->left_r[i] = (uint32_t)rest[0];
 	out->right_r[i] = (uint32_t)rest[1];
 	batch->covers[i] |= seen;
+	loop_box_row(batch, i, y, x[0], x[1]);
 	by = loop_choose_int(on_left, m->dy[i], l->dy[i]);
 	rest[0] += loop_choose_int(on_left, (int32_t)m->m[i], (int32_t)l->m[i]);
 	over = -(int32_t)(rest[0] >= by);
@@ -193,6 +209,9 @@ static void loop_setup(struct accel_setup_batch *batch, int count,
 		batch->at_r[0][i] = (int32_t)batch->left.r[i];
 		batch->at_r[1][i] = (int32_t)batch->right.r[i];
 		batch->covers[i] = 0;
+		batch->x0[i] = INT32_MAX;
+		batch->x1[i] = INT32_MIN;
+		batch->y0[i] = batch->y1[i] = batch->start[i] = batch->pixels[i] = 0;
 	}
 	for (int row = 0; row < loop_min(rows, ACCEL_SETUP_ROWS); row++) {
 		for (int i = 0; i < count; i++)

@@ -14,6 +14,7 @@
 
 #define CHANNELS 3
 
+/* The box of rows that are not kept, as accel_setup has that of others. */
 static void small_box_row(struct accel_small *small, const struct accel_row *row, int y)
 {
 	if (row->left >= row->right)
@@ -22,24 +23,40 @@ static void small_box_row(struct accel_small *small, const struct accel_row *row
 		small->x0 = row->left;
 		small->x1 = row->right;
 		small->y0 = y;
-		small->anchor_x = row->left & ~((int)GLOSS_ANCHOR_ALIGN - 1);
+		small->anchor_x = row->left;
 	}
 	small->x0 = number_min(small->x0, row->left);
 	small->x1 = number_max(small->x1, row->right);
 	small->y1 = y + 1;
 }
 
-void accel_small_init(struct accel_small *small, const struct accel_setup *setup)
+static void small_box(struct accel_small *small, const struct accel_setup *setup)
 {
 	struct accel_row room[ACCEL_SMALL_SIZE];
-	const struct accel_row *row;
+	const struct accel_row *row = accel_setup_rows(setup, setup->first, setup->end, room);
 
-	*small = (struct accel_small){ .fits = false };
-	if (setup->end - setup->first > ACCEL_SMALL_SIZE)
-		return;
-	row = accel_setup_rows(setup, setup->first, setup->end, room);
 	for (int y = setup->first; y < setup->end; y++)
 		small_box_row(small, &row[y - setup->first], y);
+}
+
+void accel_small_init(struct accel_small *small, const struct accel_setup *setup)
+{
+	const int rows = setup->end - setup->first;
+
+	*small = (struct accel_small){ .fits = false };
+	if (rows > ACCEL_SMALL_SIZE)
+		return;
+	if (rows > ACCEL_SETUP_ROWS)
+		small_box(small, setup);
+	else
+		*small = (struct accel_small){
+			.x0 = setup->box.x0,
+			.y0 = setup->box.y0,
+			.x1 = setup->box.x1,
+			.y1 = setup->box.y1,
+			.anchor_x = setup->start,
+		};
+	small->anchor_x &= ~((int)GLOSS_ANCHOR_ALIGN - 1);
 	small->fits = small->x0 < small->x1 && small->x1 - small->x0 <= ACCEL_SMALL_SIZE;
 }
 
