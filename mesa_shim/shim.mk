@@ -2,7 +2,7 @@
 # OpenGL for programs that know nothing of Gloss: a vendor library of libglvnd, for GLX and EGL.
 ##@ Building
 
-GL_PACKAGES := libglvnd gl egl x11 x11-xcb xcb xcb-shm
+GL_PACKAGES := libglvnd gl glx egl x11 x11-xcb xcb xcb-shm
 GL_FOUND := $(shell pkg-config --exists $(GL_PACKAGES) 2>/dev/null && echo yes)
 
 FLAGS_mesa_shim := -Imesa_shim -D_GNU_SOURCE -fPIC -pthread -fvisibility=hidden \

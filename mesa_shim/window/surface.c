@@ -161,7 +161,7 @@ int gloss_surface_copy(struct gloss_surface *surface, struct gloss_x11 *x11)
 
 void gloss_surface_set_interval(struct gloss_surface *surface, int interval)
 {
-	surface->interval = interval;
+	surface->interval = interval < GLOSS_INTERVAL_MAX ? interval : GLOSS_INTERVAL_MAX;
 }
 
 int gloss_surface_interval(const struct gloss_surface *surface)
@@ -186,6 +186,12 @@ void gloss_surface_pace(struct gloss_surface *surface)
 			;
 	}
 	surface->shown = due > now ? due : now;
+}
+
+void gloss_surface_leave(struct gloss_surface *surface)
+{
+	gloss_x11_close(surface->x11);
+	surface->x11 = NULL;
 }
 
 bool gloss_surface_alive(struct gloss_surface *surface)

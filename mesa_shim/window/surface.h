@@ -61,10 +61,13 @@ int gloss_surface_copy(struct gloss_surface *surface, struct gloss_x11 *x11);
  * or 0 with vblank_mode=0 in the environment, as Mesa has it. X tells no program when that is, so a
  * refresh is a sixtieth of a second.
  */
+#define GLOSS_INTERVAL_MAX 60
 void gloss_surface_set_interval(struct gloss_surface *surface, int interval);
 int gloss_surface_interval(const struct gloss_surface *surface);
 /* Waits for that time. A pbuffer has no screen. */
 void gloss_surface_pace(struct gloss_surface *surface);
+/* The connection to the window ends; from now on the surface is as a pbuffer. */
+void gloss_surface_leave(struct gloss_surface *surface);
 /* Whether the window is still there. Any thread may call it. */
 bool gloss_surface_alive(struct gloss_surface *surface);
 

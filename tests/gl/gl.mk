@@ -6,7 +6,7 @@ GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=g
 	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: vblank_mode=0
 
 GL_EGL_TESTS := test_egl test_egl_context
-GL_TESTS := $(GL_EGL_TESTS)
+GL_TESTS := $(GL_EGL_TESTS) test_glx
 GL_PROGRAMS := $(GL_TESTS:%=$(BUILD)/tests/gl/%)
 $(GL_PROGRAMS): private LIBS := -lcmocka -lEGL -lGL -lX11 -lxcb -pthread
 $(GL_PROGRAMS): $(BUILD)/tests/gl/gl_display.o
@@ -15,9 +15,22 @@ $(GL_EGL_TESTS:%=run-%): run-%: $(BUILD)/tests/gl/% $(GL_FILES)
 	$(call quiet,TEST,$*)
 	$(Q)env -u DISPLAY $(GL_RUN) $<
 
+# On a screen of 16 bits a pixel too, and where the server shares no memory.
+run-test_glx: $(BUILD)/tests/gl/test_glx $(GL_FILES)
+	$(call quiet,TEST,$(<F))
+	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) $<
+	$(Q)tests/gl/with_xvfb 16 $(GL_RUN) $<
+	$(Q)tests/gl/with_xvfb 24+noshm $(GL_RUN) $<
+
 ifneq ($(GL_FOUND),)
 UNIT_TESTS += $(GL_TESTS)
 endif
+
+# mesa-utils' programs, as they are, say what is true.
+.PHONY: gl-programs
+gl-programs: $(GL_FILES) ## glxinfo and eglinfo on the OpenGL vendor library
+	$(call quiet,TEST,gl-programs)
+	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/programs $(BUILD)/tests/gl
 
 # The device stays to the end, and with it threads, whose stacks look lost to valgrind.
 .PHONY: gl-valgrind
@@ -29,5 +42,5 @@ gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EG
 	done
 
 ifneq ($(GL_FOUND),)
-CHECKS += gl-valgrind
+CHECKS += gl-programs gl-valgrind
 endif
