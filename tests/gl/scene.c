@@ -122,13 +122,32 @@ static void set_view(struct accel_state *state, const struct oracle_state *gl)
 	accel_state_set_depth(state, ACCEL_COMPARE_ALWAYS, true);
 }
 
+static enum accel_tracks tracks_of(unsigned int follow)
+{
+	switch (follow) {
+	case ORACLE_EMISSION:
+		return ACCEL_TRACKS_EMISSION;
+	case ORACLE_AMBIENT:
+		return ACCEL_TRACKS_AMBIENT;
+	case ORACLE_DIFFUSE:
+		return ACCEL_TRACKS_DIFFUSE;
+	case ORACLE_SPECULAR:
+		return ACCEL_TRACKS_SPECULAR;
+	case ORACLE_AMBIENT | ORACLE_DIFFUSE:
+		return ACCEL_TRACKS_AMBIENT_DIFFUSE;
+	default:
+		assert_int_equal(follow, 0);
+		return ACCEL_TRACKS_NONE;
+	}
+}
+
 static void set_state(struct accel_state *state, const struct oracle_state *gl,
 		      enum accel_shading shading)
 {
 	static const enum accel_cull culls[] = { ACCEL_CULL_NONE, ACCEL_CULL_BACK,
 						 ACCEL_CULL_FRONT };
-	const enum accel_tracks tracks = gl->follow[0] ? ACCEL_TRACKS_AMBIENT_DIFFUSE :
-							 ACCEL_TRACKS_NONE;
+	static const enum accel_normals normals[] = { ACCEL_NORMALS_AS_GIVEN, ACCEL_NORMALS_RESCALE,
+						      ACCEL_NORMALS_UNIT };
 	float ambient[4];
 
 	set_view(state, gl);
@@ -140,7 +159,9 @@ static void set_state(struct accel_state *state, const struct oracle_state *gl,
 	accel_state_set_local_viewer(state, gl->local_viewer);
 	accel_state_set_two_sided(state, gl->two_sided);
 	accel_state_set_cull(state, culls[gl->cull]);
-	accel_state_set_colour_material(state, tracks, tracks);
+	accel_state_set_front_face(state, gl->front_clockwise);
+	accel_state_set_normals(state, normals[gl->normals]);
+	accel_state_set_colour_material(state, tracks_of(gl->follow[0]), tracks_of(gl->follow[1]));
 	accel_state_set_shading(state, gl->flat ? ACCEL_SHADING_FLAT : shading);
 }
 

@@ -114,6 +114,19 @@ static void random_material(uint64_t *seed, struct oracle_material *material)
 						    scene_between(seed, 1, 8);
 }
 
+/* COLOR_MATERIAL names one mode, for the front, the back or both. */
+static void random_follow(uint64_t *seed, unsigned int follow[ORACLE_SIDES])
+{
+	static const unsigned int modes[] = { ORACLE_EMISSION, ORACLE_AMBIENT, ORACLE_DIFFUSE,
+					      ORACLE_SPECULAR, ORACLE_AMBIENT | ORACLE_DIFFUSE };
+	unsigned int mode = modes[test_below(seed, 5)];
+
+	if (test_below(seed, 2))
+		return;
+	for (int i = 0; i < ORACLE_SIDES; i++)
+		follow[i] = test_below(seed, 4) ? mode : 0;
+}
+
 void scene_random_state(uint64_t *seed, bool perspective, struct oracle_state *gl)
 {
 	random_modelview(seed, 3, gl->modelview);
@@ -123,8 +136,9 @@ void scene_random_state(uint64_t *seed, bool perspective, struct oracle_state *g
 	gl->two_sided = test_below(seed, 2);
 	gl->flat = !test_below(seed, 6);
 	gl->cull = (enum oracle_cull)(test_below(seed, 4) ? 0 : 1 + test_below(seed, 2));
-	if (!test_below(seed, 4))
-		gl->follow[0] = gl->follow[1] = ORACLE_AMBIENT | ORACLE_DIFFUSE;
+	gl->normals = (enum oracle_normals)test_below(seed, 3);
+	gl->front_clockwise = test_below(seed, 2);
+	random_follow(seed, gl->follow);
 	scene_random_colour(seed, 0.5, gl->ambient);
 	for (int i = 0; i < ORACLE_SIDES; i++)
 		random_material(seed, &gl->material[i]);

@@ -245,6 +245,114 @@ static void normals_of_a_squeezed_model_are_lit_as_they_stand(void **state)
 	scene_assert(*state, &scene, STEP, 1000);
 }
 
+/* A model half as large, and normals neither of unit length nor of one length. */
+static void draw_normals(struct board *board, enum oracle_normals normals)
+{
+	struct scene scene;
+
+	lit_triangle(&scene);
+	scene.gl.light[0].diffuse[0] = 0.75;
+	scene.gl.material[0].specular[2] = 0.5;
+	scene.gl.material[0].shininess = 3;
+	scene.gl.normals = normals;
+	scene.gl.modelview[0] = scene.gl.modelview[5] = scene.gl.modelview[10] = 0.5;
+	scene.gl.projection[0] = scene.gl.projection[5] = 2;
+	for (int i = 0; i < 3; i++)
+		scene.vertex[0].normal[i] *= 0.5;
+	for (int i = 0; i < 3; i++)
+		scene.vertex[2].normal[i] *= 1.25;
+	scene_assert(board, &scene, STEP, 1000);
+	/* A z that is squeezed too is not rescaled: the last row of the inverse counts. */
+	scene.gl.modelview[10] = 0.75;
+	scene.gl.modelview[2] = 0.125;
+	scene_assert(board, &scene, STEP, 1000);
+}
+
+static void normals_have_the_length_that_the_inverse_gives_them(void **state)
+{
+	draw_normals(*state, ORACLE_AS_GIVEN);
+}
+
+static void normals_are_rescaled_by_what_the_model_is(void **state)
+{
+	draw_normals(*state, ORACLE_RESCALED);
+}
+
+static void normals_are_made_unit_length(void **state)
+{
+	draw_normals(*state, ORACLE_NORMALISED);
+}
+
+/* Which side is lit and which is culled, for triangles of either turn. */
+static void front_faces_turn_as_they_are_said_to(void **state)
+{
+	struct scene scene;
+
+	lit_triangle(&scene);
+	scene.gl.two_sided = true;
+	scene.gl.material[1].ambient[1] = 1;
+	scene.gl.material[1].diffuse[0] = 0;
+	for (int i = 0; i < 12; i++) {
+		bool seen;
+
+		scene.gl.front_clockwise = i & 1;
+		scene.gl.projection[0] = i & 2 ? -1 : 1;
+		scene.gl.cull = (enum oracle_cull)(i / 4);
+		seen = !scene.gl.cull ||
+		       ((i & 1) == (i >> 1 & 1)) == (scene.gl.cull == ORACLE_CULL_BACK);
+		scene_assert(*state, &scene, STEP, seen ? 1000 : 0);
+	}
+}
+
+/* Of both sides and of either; and not limited before light is worked out: 2 times 0.25 is 0.5. */
+static void draw_following(struct board *board, unsigned int mode)
+{
+	struct scene scene;
+
+	lit_triangle(&scene);
+	scene.gl.light[0].diffuse[0] = 0.25;
+	scene.gl.light[0].specular[0] = 0.25;
+	scene.gl.light[0].ambient[1] = 0.125;
+	scene.gl.two_sided = true;
+	scene.gl.material[0].shininess = scene.gl.material[1].shininess = 2;
+	for (int i = 0; i < 3; i++) {
+		paint_number(&scene.vertex[i], i + 1);
+		scene.vertex[i].colour[0] = i;
+	}
+	for (int i = 0; i < 8; i++) {
+		scene.gl.follow[0] = i & 1 ? mode : 0;
+		scene.gl.follow[1] = i & 2 ? mode : 0;
+		scene.gl.light[0].position[2] = i & 4 ? -1 : 1;
+		scene.gl.projection[0] = i & 4 ? -1 : 1;
+		scene_assert(board, &scene, STEP, 1000);
+	}
+}
+
+static void colours_may_be_what_shines(void **state)
+{
+	draw_following(*state, ORACLE_EMISSION);
+}
+
+static void colours_may_be_the_ambient_reflectance(void **state)
+{
+	draw_following(*state, ORACLE_AMBIENT);
+}
+
+static void colours_may_be_the_diffuse_reflectance_and_alpha(void **state)
+{
+	draw_following(*state, ORACLE_DIFFUSE);
+}
+
+static void colours_may_be_the_specular_reflectance(void **state)
+{
+	draw_following(*state, ORACLE_SPECULAR);
+}
+
+static void colours_may_be_ambient_and_diffuse(void **state)
+{
+	draw_following(*state, ORACLE_AMBIENT | ORACLE_DIFFUSE);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -260,6 +368,15 @@ int main(void)
 		cmocka_unit_test(what_is_not_finite_drops_its_primitive_alone),
 		cmocka_unit_test(backs_are_lit_with_their_material_from_behind),
 		cmocka_unit_test(normals_of_a_squeezed_model_are_lit_as_they_stand),
+		cmocka_unit_test(normals_have_the_length_that_the_inverse_gives_them),
+		cmocka_unit_test(normals_are_rescaled_by_what_the_model_is),
+		cmocka_unit_test(normals_are_made_unit_length),
+		cmocka_unit_test(front_faces_turn_as_they_are_said_to),
+		cmocka_unit_test(colours_may_be_what_shines),
+		cmocka_unit_test(colours_may_be_the_ambient_reflectance),
+		cmocka_unit_test(colours_may_be_the_diffuse_reflectance_and_alpha),
+		cmocka_unit_test(colours_may_be_the_specular_reflectance),
+		cmocka_unit_test(colours_may_be_ambient_and_diffuse),
 	};
 
 	return cmocka_run_group_tests(tests, scene_setup, scene_teardown);

@@ -119,6 +119,12 @@ static void at_vertices_adaptive_is_gouraud(void **state)
 	assert_true(compared > 2 * scene_count(SCENES));
 }
 
+static void dim(double colour[4], double times)
+{
+	for (int i = 0; i < 3; i++)
+		colour[i] = (double)(float)(colour[i] / times);
+}
+
 /* One normal, and light from afar without highlights, of which nothing is brighter than 1: that
  * would be limited at vertices by the one, and at pixels by the other. */
 static void straighten(struct scene *scene)
@@ -126,29 +132,32 @@ static void straighten(struct scene *scene)
 	for (int i = 0; i < scene->vertices; i++) {
 		memset(scene->vertex[i].normal, 0, sizeof(scene->vertex[i].normal));
 		scene->vertex[i].normal[2] = 1;
+		dim(scene->vertex[i].colour, 4);
 	}
+	dim(scene->gl.ambient, 4);
 	for (int i = 0; i < ORACLE_LIGHTS; i++) {
 		struct oracle_light *light = &scene->gl.light[i];
 
 		light->position[3] = 0;
 		light->spot_cutoff = 180;
-		for (int j = 0; j < 3; j++) {
-			light->ambient[j] = (double)(float)(light->ambient[j] / 10);
-			light->diffuse[j] = (double)(float)(light->diffuse[j] / 10);
-		}
+		dim(light->ambient, 10);
+		dim(light->diffuse, 10);
 	}
 	for (int i = 0; i < ORACLE_SIDES; i++) {
 		struct oracle_material *material = &scene->gl.material[i];
 
 		memset(material->emission, 0, sizeof(material->emission));
 		memset(material->specular, 0, sizeof(material->specular));
+		scene->gl.follow[i] &= ~ORACLE_SPECULAR;
 	}
 }
 
-static void what_is_straight_is_the_same_to_the_bit(void **state)
+/* The same to the bit, but where all of a triangle is so nearly one colour that it is made one. */
+static void what_is_straight_is_gouraud(void **state)
 {
 	static struct drawing drawing[2];
 	uint64_t seed = test_seed();
+	int same = 0;
 
 	for (int n = 0; n < scene_count(SCENES); n++) {
 		struct scene scene;
@@ -156,9 +165,14 @@ static void what_is_straight_is_the_same_to_the_bit(void **state)
 		random_cap(&seed, &scene);
 		straighten(&scene);
 		draw(*state, &scene, drawing);
-		assert_memory_equal(drawing[0].colour, drawing[1].colour,
-				    sizeof(drawing[0].colour));
+		for (int i = 0; i < SCENE_PIXELS; i++)
+			if (apart(drawing[0].colour[i], drawing[1].colour[i]) > 1)
+				fail_msg("scene %d: pixel %d is %08x, and by OpenGL %08x", n, i,
+					 drawing[1].colour[i], drawing[0].colour[i]);
+		same += !memcmp(drawing[0].colour, drawing[1].colour, sizeof(drawing[0].colour));
 	}
+	print_message("%d of %d scenes are the same to the bit\n", same, scene_count(SCENES));
+	assert_true(same > scene_count(SCENES) * 3 / 4);
 }
 
 /* Of all channels of colour, in steps. */
@@ -209,7 +223,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(at_vertices_adaptive_is_gouraud),
-		cmocka_unit_test(what_is_straight_is_the_same_to_the_bit),
+		cmocka_unit_test(what_is_straight_is_gouraud),
 		cmocka_unit_test(adaptive_is_nearer_to_lit_pixels_than_gouraud),
 	};
 
