@@ -5,188 +5,161 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "accel.h"
-#include "api/commands.h"
+#include "draw/batch.h"
+#include "state/command.h"
 #include "window/surface.h"
 
-struct gloss_context {
-	struct accel_device *device;
-	struct accel_draw *draw;
-	struct gloss_surface *draw_surface, *read_surface;
-	struct accel_target *target; /* of the frame that was begun; NULL: none was */
-	float clear[4];
-	double clear_depth;
-	GLenum error;
-	char renderer[96];
+_Thread_local struct gloss_context *gloss_this;
+
+static const struct {
+	const char *name;
+	enum accel_shading shading;
+} context_shading[] = {
+	{ "adaptive", ACCEL_SHADING_ADAPTIVE },
+	{ "gouraud", ACCEL_SHADING_GOURAUD },
+	{ "quadratic", ACCEL_SHADING_QUADRATIC },
 };
 
-static _Thread_local struct gloss_context *current;
+/* What the environment says: GLOSS_SHADING, and GLOSS_DEBUG=perf. */
+static void context_configure(struct gloss_context *context)
+{
+	const char *shading = getenv("GLOSS_SHADING"), *debug = getenv("GLOSS_DEBUG");
+	struct accel_device_info info;
+	size_t chosen = 0;
+
+	for (size_t i = 0; shading && i < sizeof(context_shading) / sizeof(*context_shading); i++)
+		if (!strcmp(shading, context_shading[i].name))
+			chosen = i;
+	context->shading = context_shading[chosen].shading;
+	context->tell = debug && strstr(debug, "perf");
+	accel_device_info(context->device, &info, sizeof(info));
+	snprintf(context->renderer, sizeof(context->renderer), "Gloss %s (%s)", info.name,
+		 context_shading[chosen].name);
+}
+
+static bool context_init(struct gloss_context *context, struct gloss_context *share)
+{
+	context->shared = share ? gloss_shared_ref(share->shared) : gloss_shared_new();
+	context->saved = malloc(GLOSS_STACK_DEPTH * sizeof(*context->saved));
+	context->saved_client = malloc(GLOSS_STACK_DEPTH * sizeof(*context->saved_client));
+	if (!context->shared || !context->saved || !context->saved_client)
+		return false;
+	if (accel_state_new(&context->state) || accel_state_new(&context->plain) ||
+	    accel_draw_new(context->device, &context->draw))
+		return false;
+	accel_state_set_shading(context->plain, ACCEL_SHADING_FLAT);
+	gloss_attributes_init(&context->attributes);
+	gloss_client_init(&context->client);
+	gloss_matrices_init(&context->matrices);
+	context->immediate.current = &context->attributes.current;
+	context->immediate.set = ~0u;
+	context->vertices = &context->immediate;
+	context->dirty = GLOSS_DIRTY_ALL;
+	context_configure(context);
+	return true;
+}
 
 struct gloss_context *gloss_context_new(struct accel_device *device, struct gloss_context *share)
 {
 	struct gloss_context *context = calloc(1, sizeof(*context));
-	struct accel_device_info info;
 
-	(void)share;
 	if (!context)
 		return NULL;
-	if (accel_draw_new(device, &context->draw)) {
-		free(context);
-		return NULL;
-	}
-	accel_device_info(device, &info, sizeof(info));
-	snprintf(context->renderer, sizeof(context->renderer), "Gloss %s", info.name);
 	context->device = device;
-	context->clear_depth = 1;
-	return context;
+	if (context_init(context, share))
+		return context;
+	gloss_context_free(context);
+	return NULL;
 }
 
 void gloss_context_free(struct gloss_context *context)
 {
+	if (!context)
+		return;
+	if (gloss_this == context)
+		gloss_this = NULL;
+	if (context->shared) {
+		gloss_list_abandon(context);
+		gloss_shared_unref(context->shared);
+	}
+	gloss_vertices_free(&context->immediate);
+	gloss_vertices_free(&context->compiling.vertices);
+	gloss_read_free(context);
 	accel_draw_free(context->draw);
+	accel_state_free(context->plain);
+	accel_state_free(context->state);
+	free(context->saved_client);
+	free(context->saved);
 	free(context);
+}
+
+static void context_take_visual(struct gloss_context *context)
+{
+	const struct gloss_config *config = gloss_surface_config(context->draw_surface);
+
+	context->visual = (struct gloss_visual){
+		.red = config->red,
+		.green = config->green,
+		.blue = config->blue,
+		.alpha = config->alpha,
+		.depth = config->depth,
+		.stencil = config->stencil,
+		.double_buffered = config->double_buffered,
+	};
+}
+
+/* The first surface gives the size of viewport and scissor, and the buffers. */
+static void context_bind_first(struct gloss_context *context)
+{
+	GLenum buffer = context->visual.double_buffered ? GL_BACK : GL_FRONT;
+	GLint width = gloss_surface_width(context->draw_surface);
+	GLint height = gloss_surface_height(context->draw_surface);
+	const GLint box[4] = { 0, 0, width, height };
+
+	memcpy(context->attributes.viewport.box, box, sizeof(box));
+	memcpy(context->attributes.scissor.box, box, sizeof(box));
+	context->attributes.colour_buffer.draw_buffer = buffer;
+	context->attributes.transfer.read_buffer = buffer;
+	context->bound_before = true;
 }
 
 int gloss_context_bind(struct gloss_context *context, struct gloss_surface *draw,
 		       struct gloss_surface *read)
 {
-	int err = current ? gloss_context_flush(current) : 0;
+	int err = gloss_this ? gloss_context_flush(gloss_this) : 0;
 
-	current = context;
-	if (context) {
-		context->draw_surface = draw;
-		context->read_surface = read;
-	}
+	gloss_this = context;
+	if (!context)
+		return err;
+	context->draw_surface = draw;
+	context->read_surface = read;
+	context->dirty = GLOSS_DIRTY_ALL;
+	gloss_read_forget(context);
+	if (draw)
+		context_take_visual(context);
+	if (draw && !context->bound_before)
+		context_bind_first(context);
 	return err;
 }
 
 int gloss_context_flush(struct gloss_context *context)
 {
-	int err;
+	int err = 0;
 
-	if (!context->target)
-		return 0;
+	gloss_list_settle(context);
+	if (!context->immediate.inside)
+		gloss_batch_draw(context);
+	if (context->target)
+		err = accel_draw_submit(context->draw, NULL);
 	context->target = NULL;
-	err = accel_draw_submit(context->draw, NULL);
-	gloss_surface_flushed(context->draw_surface);
+	if (context->draw_surface)
+		gloss_surface_flushed(context->draw_surface);
 	return err;
 }
 
 int gloss_context_finish(struct gloss_context *context)
 {
-	int err = gloss_context_flush(context), ended = accel_device_finish(context->device);
+	int err = gloss_context_flush(context);
 
-	return err ? err : ended;
-}
-
-/* Begins a frame unless one was. False: there is nothing to draw on. */
-static bool context_begin(struct gloss_context *context)
-{
-	static const struct accel_clear fresh = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR |
-								    ACCEL_CLEAR_DEPTH,
-							    .depth = 1);
-	struct gloss_surface *surface = context->draw_surface;
-
-	if (context->target)
-		return true;
-	context->target = surface ? gloss_surface_target(surface) : NULL;
-	if (!context->target)
-		return false;
-	if (accel_draw_begin(context->draw, context->target,
-			     gloss_surface_fresh(surface) ? &fresh : NULL)) {
-		context->target = NULL;
-		return false;
-	}
-	gloss_surface_touched(surface);
-	return true;
-}
-
-void gl_ClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha)
-{
-	if (current)
-		memcpy(current->clear, (float[]){ red, green, blue, alpha },
-		       sizeof(current->clear));
-}
-
-void gl_ClearDepth(GLdouble depth)
-{
-	if (current)
-		current->clear_depth = depth < 0 ? 0 : depth > 1 ? 1 : depth;
-}
-
-void gl_Clear(GLbitfield mask)
-{
-	struct accel_clear clear = ACCEL_CLEAR(.mask = 0);
-
-	if (!current || !context_begin(current))
-		return;
-	clear.mask = (mask & GL_COLOR_BUFFER_BIT ? ACCEL_CLEAR_COLOUR : 0) |
-		     (mask & GL_DEPTH_BUFFER_BIT ? ACCEL_CLEAR_DEPTH : 0);
-	memcpy(clear.rgba, current->clear, sizeof(clear.rgba));
-	clear.depth = (float)current->clear_depth;
-	if (clear.mask)
-		accel_draw_clear(current->draw, &clear);
-}
-
-void gl_Flush(void)
-{
-	if (current)
-		gloss_context_flush(current);
-}
-
-void gl_Finish(void)
-{
-	if (current)
-		gloss_context_finish(current);
-}
-
-GLenum gl_GetError(void)
-{
-	GLenum error = current ? current->error : GL_NO_ERROR;
-
-	if (current)
-		current->error = GL_NO_ERROR;
-	return error;
-}
-
-const GLubyte *gl_GetString(GLenum name)
-{
-	if (!current)
-		return NULL;
-	switch (name) {
-	case GL_VENDOR:
-		return (const GLubyte *)"Gloss";
-	case GL_RENDERER:
-		return (const GLubyte *)current->renderer;
-	case GL_VERSION:
-		return (const GLubyte *)"1.1";
-	case GL_EXTENSIONS:
-		return (const GLubyte *)"";
-	}
-	current->error = GL_INVALID_ENUM;
-	return NULL;
-}
-
-/* Of RGBA in bytes; a target's rows come from the top. */
-void gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
-		   void *pixels)
-{
-	struct accel_rectangle row = { x, 0, width, 1 };
-	struct gloss_surface *surface = current ? current->read_surface : NULL;
-	struct accel_target *target;
-
-	if (!surface)
-		return;
-	if (format != GL_RGBA || type != GL_UNSIGNED_BYTE) {
-		current->error = GL_INVALID_OPERATION;
-		return;
-	}
-	gloss_context_flush(current);
-	target = gloss_surface_target(surface);
-	for (int i = 0; target && i < height; i++) {
-		row.y = gloss_surface_height(surface) - 1 - y - i;
-		accel_target_read(target, ACCEL_PLANE_COLOUR, &row,
-				  (char *)pixels + (size_t)i * (size_t)width * 4,
-				  (size_t)width * 4);
-	}
+	return err ? err : accel_device_finish(context->device);
 }

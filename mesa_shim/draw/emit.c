@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "draw/emit.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+#include "draw/read.h"
+#include "state/command.h"
+#include "window/surface.h"
+
+static void emit_viewport(struct gloss_context *context, struct accel_state *state)
+{
+	const GLint *box = context->attributes.viewport.box;
+	const GLint *cut = context->attributes.scissor.box;
+
+	/* OpenGL counts rows from the bottom, a target from the top. */
+	accel_state_set_viewport(state, box[0], context->height - box[1] - box[3], box[2], box[3]);
+	accel_state_set_depth_range(state, context->attributes.viewport.range[0],
+				    context->attributes.viewport.range[1]);
+	if (context->attributes.scissor.test)
+		accel_state_set_scissor(state, cut[0], context->height - cut[1] - cut[3], cut[2],
+					cut[3]);
+	else
+		accel_state_set_scissor(state, 0, 0, -1, -1);
+}
+
+/* The attenuations of OpenGL may all be 0, which is infinitely bright and 1 to libaccel. */
+static void emit_light(struct accel_state *state, int index, const struct gloss_light *from)
+{
+	struct accel_light light = ACCEL_LIGHT(.enabled = from->enabled,
+					       .spot_exponent = from->exponent,
+					       .spot_cutoff = from->cutoff);
+
+	memcpy(light.position, from->position, sizeof(light.position));
+	memcpy(light.ambient, from->ambient, sizeof(light.ambient));
+	memcpy(light.diffuse, from->diffuse, sizeof(light.diffuse));
+	memcpy(light.specular, from->specular, sizeof(light.specular));
+	memcpy(light.attenuation, from->attenuation, sizeof(light.attenuation));
+	memcpy(light.spot_direction, from->direction, sizeof(light.spot_direction));
+	accel_state_set_light(state, index, &light);
+}
+
+static struct accel_material emit_material(const struct gloss_material *from)
+{
+	struct accel_material material = ACCEL_MATERIAL(.shininess = from->shininess);
+
+	memcpy(material.emission, from->emission, sizeof(material.emission));
+	memcpy(material.ambient, from->ambient, sizeof(material.ambient));
+	memcpy(material.diffuse, from->diffuse, sizeof(material.diffuse));
+	memcpy(material.specular, from->specular, sizeof(material.specular));
+	return material;
+}
+
+/* What of the material of one side follows the colour. */
+static enum accel_tracks emit_tracks(const struct gloss_lighting *lighting, GLenum side)
+{
+	if (!lighting->track ||
+	    (lighting->track_face != side && lighting->track_face != GL_FRONT_AND_BACK))
+		return ACCEL_TRACKS_NONE;
+	switch (lighting->track_mode) {
+	case GL_EMISSION:
+		return ACCEL_TRACKS_EMISSION;
+	case GL_AMBIENT:
+		return ACCEL_TRACKS_AMBIENT;
+	case GL_DIFFUSE:
+		return ACCEL_TRACKS_DIFFUSE;
+	case GL_SPECULAR:
+		return ACCEL_TRACKS_SPECULAR;
+	default:
+		return ACCEL_TRACKS_AMBIENT_DIFFUSE;
+	}
+}
+
+static void emit_normals(const struct gloss_transform *transform, struct accel_state *state)
+{
+	if (transform->normalize)
+		accel_state_set_normals(state, ACCEL_NORMALS_UNIT);
+	else if (transform->rescale)
+		accel_state_set_normals(state, ACCEL_NORMALS_RESCALE);
+	else
+		accel_state_set_normals(state, ACCEL_NORMALS_AS_GIVEN);
+}
+
+static void emit_lighting(struct gloss_context *context, struct accel_state *state)
+{
+	const struct gloss_lighting *lighting = &context->attributes.lighting;
+	struct accel_material front = emit_material(&lighting->material[0]);
+	struct accel_material back = emit_material(&lighting->material[1]);
+
+	accel_state_set_lighting(state, lighting->enabled);
+	accel_state_set_two_sided(state, lighting->two_side);
+	accel_state_set_local_viewer(state, lighting->local_viewer);
+	accel_state_set_ambient(state, lighting->ambient);
+	accel_state_set_colour_material(state, emit_tracks(lighting, GL_FRONT),
+					emit_tracks(lighting, GL_BACK));
+	emit_normals(&context->attributes.transform, state);
+	accel_state_set_material(state, &front, &back);
+	for (int i = 0; i < GLOSS_LIGHTS; i++)
+		emit_light(state, i, &lighting->light[i]);
+}
+
+static void emit_raster(struct gloss_context *context, struct accel_state *state)
+{
+	const struct gloss_polygon *polygon = &context->attributes.polygon;
+	bool back = polygon->cull_face == GL_BACK;
+
+	accel_state_set_front_face(state, polygon->front_face == GL_CW);
+	if (!polygon->cull || polygon->cull_face == GL_FRONT_AND_BACK)
+		accel_state_set_cull(state, ACCEL_CULL_NONE);
+	else
+		accel_state_set_cull(state, back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT);
+	accel_state_set_shading(state, context->attributes.lighting.shade_model == GL_FLAT ?
+					       ACCEL_SHADING_FLAT :
+					       context->shading);
+}
+
+static void emit_colour_mask(const struct gloss_context *context, struct accel_state *state,
+			     bool drawn)
+{
+	const GLboolean *mask = context->attributes.colour_buffer.mask;
+
+	drawn = drawn && context->attributes.colour_buffer.draw_buffer != GL_NONE;
+	/* A window without alpha has alpha 1, as it was cleared to. */
+	accel_state_set_colour_mask(state, drawn && mask[0], drawn && mask[1], drawn && mask[2],
+				    drawn && mask[3] && context->visual.alpha);
+}
+
+static void emit_depth(const struct gloss_context *context, struct accel_state *state)
+{
+	const struct gloss_depth *depth = &context->attributes.depth;
+
+	if (depth->test && context->visual.depth)
+		accel_state_set_depth(state, (enum accel_compare)(depth->func - GL_NEVER),
+				      depth->mask);
+	else
+		accel_state_set_depth(state, ACCEL_COMPARE_ALWAYS, false);
+}
+
+static void emit_tell(struct gloss_context *context)
+{
+	const struct gloss_attributes *attributes = &context->attributes;
+	bool textured = false;
+
+	for (int i = 0; i < GLOSS_UNITS; i++)
+		for (int j = 0; j < 4; j++)
+			textured = textured || attributes->texturing.unit[i].enabled[j];
+	if (textured)
+		gloss_missing(context, GLOSS_MISSING_TEXTURE);
+	if (attributes->colour_buffer.blend)
+		gloss_missing(context, GLOSS_MISSING_BLEND);
+	if (attributes->colour_buffer.alpha_test)
+		gloss_missing(context, GLOSS_MISSING_ALPHA_TEST);
+	if (attributes->colour_buffer.logic)
+		gloss_missing(context, GLOSS_MISSING_LOGIC_OP);
+	if (attributes->stencil.test)
+		gloss_missing(context, GLOSS_MISSING_STENCIL);
+	if (attributes->fog.enabled)
+		gloss_missing(context, GLOSS_MISSING_FOG);
+	if (attributes->polygon.stipple)
+		gloss_missing(context, GLOSS_MISSING_POLYGON_STIPPLE);
+}
+
+static void emit_state(struct gloss_context *context)
+{
+	struct accel_state *state = context->state;
+	unsigned int dirty = context->dirty;
+
+	if (dirty & GLOSS_DIRTY_MODELVIEW)
+		accel_state_set_modelview(state, gloss_matrix_modelview(context)->m);
+	if (dirty & GLOSS_DIRTY_PROJECTION)
+		accel_state_set_projection(state, gloss_matrix_projection(context)->m);
+	if (dirty & GLOSS_DIRTY_VIEWPORT)
+		emit_viewport(context, state);
+	if (dirty & GLOSS_DIRTY_LIGHTING)
+		emit_lighting(context, state);
+	if (dirty & GLOSS_DIRTY_RASTER)
+		emit_raster(context, state);
+	if (dirty & GLOSS_DIRTY_FRAGMENT) {
+		emit_colour_mask(context, state, true);
+		emit_depth(context, state);
+		if (context->tell)
+			emit_tell(context);
+	}
+	context->dirty = 0;
+}
+
+/* A new target has the initial depth of programs that never clear it. */
+static int emit_begin_target(struct gloss_context *context)
+{
+	const struct accel_clear clear = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH,
+						     .rgba = { 0, 0, 0,
+							       context->visual.alpha ? 0 : 1 },
+						     .depth = 1);
+	bool fresh = gloss_surface_fresh(context->draw_surface);
+
+	return accel_draw_begin(context->draw, context->target, fresh ? &clear : NULL);
+}
+
+bool gloss_emit_begin(struct gloss_context *context)
+{
+	int err, height;
+
+	if (context->target)
+		return true;
+	if (!context->draw_surface)
+		return false;
+	context->target = gloss_surface_target(context->draw_surface);
+	if (!context->target)
+		return false;
+	height = gloss_surface_height(context->draw_surface);
+	if (height != context->height)
+		context->dirty |= GLOSS_DIRTY_VIEWPORT;
+	context->height = height;
+	context->width = gloss_surface_width(context->draw_surface);
+	err = emit_begin_target(context);
+	gloss_error_accel(context, err);
+	if (err)
+		context->target = NULL;
+	return !err;
+}
+
+void gloss_emit_touch(struct gloss_context *context)
+{
+	gloss_read_forget(context);
+	gloss_surface_touched(context->draw_surface);
+}
+
+/* What became of a call that draws; after -ENOMEM there is no frame any more. */
+static void emit_result(struct gloss_context *context, int err)
+{
+	gloss_error_accel(context, err);
+	if (err == -ENOMEM)
+		context->target = NULL;
+	else if (err)
+		gloss_missing(context, GLOSS_MISSING_DRAW);
+}
+
+void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *arrays,
+		     const struct accel_elements *elements)
+{
+	if (context->attributes.polygon.cull &&
+	    context->attributes.polygon.cull_face == GL_FRONT_AND_BACK)
+		return;
+	if (!gloss_emit_begin(context))
+		return;
+	if (context->dirty)
+		emit_state(context);
+	gloss_emit_touch(context);
+	emit_result(context, accel_draw_arrays(context->draw, context->state, arrays, elements));
+}
+
+/* From window coordinates to clip space, of the whole target. */
+static void emit_plain_state(struct gloss_context *context, bool tested, bool colour, bool depth)
+{
+	float window[16] = { 0 };
+
+	window[0] = 2.0f / (float)context->width;
+	window[5] = 2.0f / (float)context->height;
+	window[10] = 2;
+	window[12] = window[13] = window[14] = -1;
+	window[15] = 1;
+	accel_state_set_projection(context->plain, window);
+	emit_viewport(context, context->plain);
+	accel_state_set_viewport(context->plain, 0, 0, -1, -1);
+	accel_state_set_depth_range(context->plain, 0, 1);
+	emit_colour_mask(context, context->plain, colour);
+	if (tested)
+		emit_depth(context, context->plain);
+	else
+		accel_state_set_depth(context->plain, ACCEL_COMPARE_ALWAYS, depth);
+}
+
+#define EMIT_QUADS 256u
+
+static void emit_quads(struct gloss_context *context, const float (*box)[4], uint32_t count,
+		       float z, const float rgba[4])
+{
+	float corner[EMIT_QUADS][4][3];
+	const struct accel_arrays arrays = ACCEL_ARRAYS(
+			.vertices = 4 * count, .position = { .data = corner, .components = 3 },
+			.colour = { .data = rgba, .components = 4, .constant = true });
+	const struct accel_primitive quads = { ACCEL_TOPOLOGY_QUADS, 0, 4 * count };
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &quads, .primitives = 1);
+
+	for (uint32_t i = 0; i < count; i++)
+		for (int j = 0; j < 4; j++) {
+			corner[i][j][0] = box[i][j == 1 || j == 2 ? 2 : 0];
+			corner[i][j][1] = box[i][j >= 2 ? 3 : 1];
+			corner[i][j][2] = z;
+		}
+	emit_result(context, accel_draw_arrays(context->draw, context->plain, &arrays, &elements));
+}
+
+void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4], uint32_t count,
+			   float z, const float rgba[4], bool tested, bool colour, bool depth)
+{
+	if (!gloss_emit_begin(context))
+		return;
+	gloss_emit_touch(context);
+	emit_plain_state(context, tested, colour, depth);
+	for (uint32_t i = 0; i < count && context->target; i += EMIT_QUADS)
+		emit_quads(context, box + i, count - i < EMIT_QUADS ? count - i : EMIT_QUADS, z,
+			   rgba);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* From OpenGL's state to libaccel's: the one place where frames begin and things are drawn. */
+#ifndef GLOSS_EMIT_H
+#define GLOSS_EMIT_H
+
+#include <stdbool.h>
+
+#include "accel.h"
+
+struct gloss_context;
+
+/* Begins a frame on the surface, if none is. False: there is nothing to draw on. */
+bool gloss_emit_begin(struct gloss_context *context);
+/* Something is about to be drawn: what was read before is out of date. */
+void gloss_emit_touch(struct gloss_context *context);
+/* Draws with the state of now. */
+void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *arrays,
+		     const struct accel_elements *elements);
+/*
+ * Draws @count rectangles of one colour in window coordinates, x0, y0, x1, y1 each, at depth @z,
+ * under scissor and masks. @tested: under the depth test as well; else the depth is written if
+ * @write says so.
+ */
+void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4], uint32_t count,
+			   float z, const float rgba[4], bool tested, bool colour, bool depth);
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/* The raster position. Its colour is the current one, also while lighting is on. */
+#include <math.h>
+#include <string.h>
+
+#include "state/command.h"
+
+static void raster_take_current(struct gloss_context *context)
+{
+	const struct gloss_current *current = &context->attributes.current;
+	struct gloss_raster_position *raster = &context->attributes.raster;
+
+	for (int i = 0; i < 4; i++) {
+		raster->colour[i] = fminf(fmaxf(current->vertex.colour[i], 0), 1);
+		raster->secondary[i] = fminf(fmaxf(current->secondary[i], 0), 1);
+	}
+	memcpy(raster->texcoord, current->texcoord, sizeof(raster->texcoord));
+	raster->index = current->index;
+	raster->valid = GL_TRUE;
+}
+
+static bool raster_is_clipped(const struct gloss_context *context, const GLfloat eye[4],
+			      const GLfloat clip[4])
+{
+	const struct gloss_transform *transform = &context->attributes.transform;
+
+	for (int i = 0; i < 3; i++)
+		if (!(fabsf(clip[i]) <= clip[3]))
+			return true;
+	for (int i = 0; i < GLOSS_CLIP_PLANES; i++) {
+		const GLfloat *plane = transform->plane[i];
+
+		if (transform->clip[i] &&
+		    plane[0] * eye[0] + plane[1] * eye[1] + plane[2] * eye[2] + plane[3] * eye[3] <
+			    0)
+			return true;
+	}
+	return !(clip[3] > 0);
+}
+
+GLOSS_LISTED4(RasterPos4f, GLfloat, x, GLfloat, y, GLfloat, z, GLfloat, w)
+{
+	struct gloss_raster_position *raster = &context->attributes.raster;
+	const struct gloss_viewport *viewport = &context->attributes.viewport;
+	const GLfloat object[4] = { x, y, z, w };
+	const GLfloat near = viewport->range[0], far = viewport->range[1];
+	GLfloat eye[4], clip[4];
+
+	gloss_matrix_apply(gloss_matrix_modelview(context), object, eye);
+	gloss_matrix_apply(gloss_matrix_projection(context), eye, clip);
+	raster_take_current(context);
+	raster->valid = !raster_is_clipped(context, eye, clip);
+	if (!raster->valid)
+		return;
+	for (int i = 0; i < 2; i++)
+		raster->position[i] = (GLfloat)viewport->box[i] +
+				      (clip[i] / clip[3] + 1) * (GLfloat)viewport->box[2 + i] / 2;
+	raster->position[2] = near + (clip[2] / clip[3] + 1) * (far - near) / 2;
+	raster->position[3] = clip[3];
+	raster->distance = sqrtf(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
+}
+
+GLOSS_LISTED3(WindowPos3f, GLfloat, x, GLfloat, y, GLfloat, z)
+{
+	struct gloss_raster_position *raster = &context->attributes.raster;
+	const GLfloat *range = context->attributes.viewport.range;
+
+	raster_take_current(context);
+	raster->position[0] = x;
+	raster->position[1] = y;
+	raster->position[2] = range[0] + fminf(fmaxf(z, 0), 1) * (range[1] - range[0]);
+	raster->position[3] = 1;
+	raster->distance = 0;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "draw/shared.h"
+
+#include <stdlib.h>
+
+#include "draw/list_priv.h"
+
+struct gloss_shared *gloss_shared_new(void)
+{
+	struct gloss_shared *shared = calloc(1, sizeof(*shared));
+
+	if (!shared)
+		return NULL;
+	if (pthread_mutex_init(&shared->lock, NULL)) {
+		free(shared);
+		return NULL;
+	}
+	shared->references = 1;
+	return shared;
+}
+
+struct gloss_shared *gloss_shared_ref(struct gloss_shared *shared)
+{
+	pthread_mutex_lock(&shared->lock);
+	shared->references++;
+	pthread_mutex_unlock(&shared->lock);
+	return shared;
+}
+
+void gloss_shared_unref(struct gloss_shared *shared)
+{
+	unsigned int left;
+
+	pthread_mutex_lock(&shared->lock);
+	left = --shared->references;
+	pthread_mutex_unlock(&shared->lock);
+	if (left)
+		return;
+	for (uint32_t i = 0; i < shared->lists.places; i++)
+		gloss_list_unref(shared->lists.place[i].object);
+	free(shared->lists.place);
+	pthread_mutex_destroy(&shared->lock);
+	free(shared);
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/* The stacks of attributes, of the server and of the client. */
+#include <string.h>
+
+#include "state/command.h"
+#include "state/light.h"
+#include "state/table.h"
+
+GLOSS_LISTED1(PushAttrib, GLbitfield, mask)
+{
+	struct gloss_saved *saved;
+
+	if (context->saved_count == GLOSS_STACK_DEPTH) {
+		gloss_error(context, GL_STACK_OVERFLOW);
+		return;
+	}
+	gloss_light_track(context);
+	saved = &context->saved[context->saved_count++];
+	saved->mask = mask;
+	saved->attributes = context->attributes;
+}
+
+/* All units of a row that has some, whichever is active. */
+static void push_restore(struct gloss_context *context, const struct gloss_attributes *saved,
+			 const struct gloss_row *row)
+{
+	uint32_t base = (uint32_t)offsetof(struct gloss_context, attributes);
+	uint32_t units = row->unit == GLOSS_UNIT_NONE ? 1 : GLOSS_UNITS;
+
+	for (uint32_t i = 0; i < units; i++) {
+		uint32_t at = row->offset - base + i * row->stride;
+
+		memcpy((char *)&context->attributes + at, (const char *)saved + at, row->count);
+	}
+}
+
+GLOSS_LISTED0(PopAttrib)
+{
+	const struct gloss_saved *saved;
+
+	if (!context->saved_count) {
+		gloss_error(context, GL_STACK_UNDERFLOW);
+		return;
+	}
+	gloss_change(context, GLOSS_DIRTY_ALL);
+	gloss_light_track(context);
+	saved = &context->saved[--context->saved_count];
+	for (unsigned int i = 0; i < gloss_table_rows; i++)
+		if (gloss_table[i].saved & saved->mask)
+			push_restore(context, &saved->attributes, &gloss_table[i]);
+}
+
+void gl_PushClientAttrib(GLbitfield mask)
+{
+	struct gloss_context *context = gloss_outside();
+
+	if (!context)
+		return;
+	if (context->saved_client_count == GLOSS_STACK_DEPTH) {
+		gloss_error(context, GL_STACK_OVERFLOW);
+		return;
+	}
+	context->saved_client[context->saved_client_count++] = (struct gloss_saved_client){
+		mask, context->client
+	};
+}
+
+void gl_PopClientAttrib(void)
+{
+	struct gloss_context *context = gloss_outside();
+	const struct gloss_saved_client *saved;
+
+	if (!context)
+		return;
+	if (!context->saved_client_count) {
+		gloss_error(context, GL_STACK_UNDERFLOW);
+		return;
+	}
+	saved = &context->saved_client[--context->saved_client_count];
+	if (saved->mask & GL_CLIENT_PIXEL_STORE_BIT) {
+		context->client.pack = saved->client.pack;
+		context->client.unpack = saved->client.unpack;
+	}
+	if (saved->mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+		context->client.arrays = saved->client.arrays;
+}
