@@ -190,6 +190,33 @@ static int face_draw(struct accel_pass *pass, struct faces *list, int i)
 	return err;
 }
 
+static void face_gather_plane(struct faces *list, struct accel_fit_batch *batch, int i,
+			      const struct accel_vertex *const corner[3])
+{
+	const struct accel_setup *setup = &list->face[i].setup;
+
+	for (int j = 0; j < 3; j++) {
+		batch->x[j][i] = corner[j]->x;
+		batch->y[j][i] = corner[j]->y;
+		batch->z[j][i] = corner[j]->z;
+	}
+	accel_small_init(&list->small[i], setup);
+	batch->small[i] = list->small[i].fits;
+	batch->narrow[i] = setup->narrow;
+}
+
+/* A plane that the batch has not. */
+static void face_plane(struct faces *list, const struct accel_fit_batch *batch, int i,
+		       const struct accel_vertex *const corner[3])
+{
+	struct accel_basis basis;
+
+	accel_surface_basis_of(batch, i, &basis);
+	accel_surface_plane(&list->plane[i], &basis, corner, list->face[i].setup.narrow);
+	if (list->small[i].fits)
+		accel_small_plane(&list->plane[i]);
+}
+
 /* The depth planes of all faces, which their parts keep. */
 static void face_planes(const struct accel_pass *pass, struct faces *list)
 {
@@ -198,22 +225,14 @@ static void face_planes(const struct accel_pass *pass, struct faces *list)
 
 	for (int i = 0; i < list->count; i++) {
 		face_corners(pass->group, &list->face[i], corner[i]);
-		for (int j = 0; j < 3; j++) {
-			batch.x[j][i] = corner[i][j]->x;
-			batch.y[j][i] = corner[i][j]->y;
-		}
+		face_gather_plane(list, &batch, i, corner[i]);
 	}
-	accel_kernel()->basis(&batch, list->count);
-	for (int i = 0; i < list->count; i++) {
-		const struct accel_setup *setup = &list->face[i].setup;
-		struct accel_basis basis;
-
-		accel_surface_basis_of(&batch, i, &basis);
-		accel_surface_plane(&list->plane[i], &basis, corner[i], setup->narrow);
-		accel_small_init(&list->small[i], setup);
-		if (list->small[i].fits)
-			accel_small_plane(&list->plane[i]);
-	}
+	accel_kernel()->plane(&batch, list->count);
+	for (int i = 0; i < list->count; i++)
+		if (batch.narrow[i])
+			accel_surface_plane_of(&list->plane[i], &batch, i);
+		else
+			face_plane(list, &batch, i, corner[i]);
 }
 
 /* Lights the pixels of faces that have but a few. */

@@ -4,6 +4,7 @@
 
 #include "draw/kernel.h"
 #include "draw/loop.h"
+#include "draw/small.h"
 
 /* A channel's value and differences below this are integers of 32 bits, as s10.22. */
 #define FIT_MAX 511.0
@@ -33,6 +34,59 @@ LOOP_INLINE void loop_basis(struct accel_fit_batch *batch, int i)
 	batch->uy[i] = -cx * one * inverse;
 	batch->vx[i] = -by * one * inverse;
 	batch->vy[i] = bx * one * inverse;
+}
+
+/* To units of GLOSS_DEPTH_COMPACT_SHIFT, if it @fits. */
+LOOP_INLINE int32_t loop_fixed_depth(double value, bool fits)
+{
+	double scaled = value * (double)(1 << (GLOSS_DEPTH_FRACTION - GLOSS_DEPTH_COMPACT_SHIFT));
+	double away = scaled < 0 ? -0.5 : 0.5;
+
+	scaled = fits ? scaled + away : 0;
+	return (int32_t)scaled;
+}
+
+/* accel_small_plane. */
+LOOP_INLINE void loop_small_plane(struct accel_fit_batch *batch, int i)
+{
+	const int32_t z = batch->depth[0][i], dx = batch->depth[1][i], dy = batch->depth[2][i];
+	const int32_t small = -(int32_t)batch->small[i];
+	const int32_t unit = 1 << (GLOSS_SMALL_DEPTH_SHIFT - GLOSS_DEPTH_COMPACT_SHIFT);
+	int32_t rounded_dx = dx, rounded_dy = dy;
+
+#pragma GCC unroll 4
+	for (unsigned int j = 0; j < SMALL_SCALES; j++) {
+		const unsigned int shift = small_depth_shift(SMALL_SCALES - 1 - j) -
+					   GLOSS_DEPTH_COMPACT_SHIFT;
+		int32_t x = (dx + (1 << (shift - 1))) & -(1 << shift);
+		int32_t y = (dy + (1 << (shift - 1))) & -(1 << shift);
+		int32_t large = ((x ^ x >> 31) | (y ^ y >> 31)) >> (shift + SMALL_DEPTH_BITS - 1);
+		int32_t fits = -(int32_t)(large == 0);
+
+		rounded_dx = (x & fits) | (rounded_dx & ~fits);
+		rounded_dy = (y & fits) | (rounded_dy & ~fits);
+	}
+	batch->depth[0][i] = (((z + unit / 2) & -unit) & small) | (z & ~small);
+	batch->depth[1][i] = (rounded_dx & small) | (dx & ~small);
+	batch->depth[2][i] = (rounded_dy & small) | (dy & ~small);
+}
+
+/* accel_surface_plane, where that is narrow, and not so by a hair. */
+LOOP_INLINE void loop_plane(struct accel_fit_batch *batch, int i)
+{
+	double z = batch->z[0][i] * ACCEL_DEPTH_MAX, du = batch->z[1][i] * ACCEL_DEPTH_MAX - z;
+	double dv = batch->z[2][i] * ACCEL_DEPTH_MAX - z;
+	double dx = du * batch->ux[i] + dv * batch->vx[i];
+	double dy = du * batch->uy[i] + dv * batch->vy[i];
+	bool fits;
+
+	z += du * batch->u[i] + dv * batch->v[i];
+	z += 0.5;
+	fits = fabs(z) + ACCEL_NARROW_REACH * (fabs(dx) + fabs(dy)) < ACCEL_NARROW_DEPTH - 1;
+	batch->depth[0][i] = loop_fixed_depth(z, fits);
+	batch->depth[1][i] = loop_fixed_depth(dx, fits);
+	batch->depth[2][i] = loop_fixed_depth(dy, fits);
+	batch->narrow[i] &= fits;
 }
 
 LOOP_INLINE uint32_t loop_fixed(double value, int32_t *fixed)
@@ -123,6 +177,15 @@ static void loop_basis_batch(struct accel_fit_batch *batch, int count)
 {
 	for (int i = 0; i < count; i++)
 		loop_basis(batch, i);
+}
+
+static void loop_plane_batch(struct accel_fit_batch *batch, int count)
+{
+	loop_basis_batch(batch, count);
+	for (int i = 0; i < count; i++)
+		loop_plane(batch, i);
+	for (int i = 0; i < count; i++)
+		loop_small_plane(batch, i);
 }
 
 static void loop_fit(struct accel_fit_batch *batch, int count)

@@ -88,6 +88,10 @@ struct accel_fit_batch {
 	float colour[6][3][ACCEL_BATCH];              /* of vertices, and of the edges after them */
 	float alpha[3][ACCEL_BATCH];                  /* of vertices */
 	uint32_t curved[ACCEL_BATCH];                 /* is the surface of second order? 0 or 1 */
+	double z[3][ACCEL_BATCH];                     /* of vertices */
+	uint32_t small[ACCEL_BATCH];   /* is the plane to be rounded for a small record? 0 or 1 */
+	uint32_t narrow[ACCEL_BATCH];  /* may it be? 0 or 1; in the end: it is, and is here: */
+	int32_t depth[3][ACCEL_BATCH]; /* z, dx, dy in units of GLOSS_DEPTH_COMPACT_SHIFT */
 	/* As accel_basis; at_x, at_y are its x and y. */
 	int32_t at_x[ACCEL_BATCH], at_y[ACCEL_BATCH];
 	double u[ACCEL_BATCH], v[ACCEL_BATCH], ux[ACCEL_BATCH], uy[ACCEL_BATCH];
@@ -140,8 +144,8 @@ struct accel_kernel {
 		      struct accel_light_batch *batch, int count);
 	void (*light_lamp)(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 			   int side, struct accel_light_batch *batch, int count);
-	/* The bases of @count triangles; the same and their surfaces. */
-	void (*basis)(struct accel_fit_batch *batch, int count);
+	/* The bases of @count triangles, and their depth planes; or their surfaces. */
+	void (*plane)(struct accel_fit_batch *batch, int count);
 	void (*fit)(struct accel_fit_batch *batch, int count);
 	/* Rounds and packs those of @count triangles that are small; @tile_size is a power of two. */
 	void (*small)(struct accel_leaf_batch *batch, int count, int tile_size);

@@ -18,7 +18,7 @@ const struct accel_kernel KERNEL = {
 	.light = loop_light,
 	.light_lamp = loop_light_lamp,
 	.setup = loop_setup,
-	.basis = loop_basis_batch,
+	.plane = loop_plane_batch,
 	.fit = loop_fit,
 	.small = loop_small,
 };

@@ -18,9 +18,6 @@
 #define DEPTH_SLOPE_MAX 0x1p36
 #define SLOPE_MAX 0x1p26
 #define CURVATURE_MAX 0x1p16
-/* What a narrow plane reaches, in depth steps, anywhere a tile may ask for it: s26. */
-#define NARROW_DEPTH 0x1p25
-#define NARROW_REACH 128
 
 int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vertex *b,
 			   const struct accel_vertex *c)
@@ -88,12 +85,28 @@ void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_bas
 		dx = dy = 0;
 	}
 	z += 0.5;
-	plane->narrow = narrow && fabs(z) + NARROW_REACH * (fabs(dx) + fabs(dy)) < NARROW_DEPTH;
+	plane->narrow = narrow &&
+			fabs(z) + ACCEL_NARROW_REACH * (fabs(dx) + fabs(dy)) < ACCEL_NARROW_DEPTH;
 	if (plane->narrow)
 		shift = GLOSS_DEPTH_COMPACT_SHIFT;
 	plane->z = surface_fixed(z, bits - shift) * (1 << shift);
 	plane->dx = surface_fixed(dx, bits - shift) * (1 << shift);
 	plane->dy = surface_fixed(dy, bits - shift) * (1 << shift);
+}
+
+void accel_surface_plane_of(struct accel_depth_plane *plane, const struct accel_fit_batch *batch,
+			    int i)
+{
+	const int32_t one = 1 << GLOSS_DEPTH_COMPACT_SHIFT;
+
+	*plane = (struct accel_depth_plane){
+		.x = batch->at_x[i],
+		.y = batch->at_y[i],
+		.z = (int64_t)batch->depth[0][i] * one,
+		.dx = (int64_t)batch->depth[1][i] * one,
+		.dy = (int64_t)batch->depth[2][i] * one,
+		.narrow = true,
+	};
 }
 
 /* i = i0 + d u + e v + a u^2 + b v^2 + c u v */

@@ -12,6 +12,10 @@ struct accel_surface {
 	uint32_t i, dx, dy, dxx, dxy, dyy;
 };
 
+/* What a narrow plane reaches, in depth steps, anywhere a tile may ask for it: s26. */
+#define ACCEL_NARROW_DEPTH 0x1p25
+#define ACCEL_NARROW_REACH 128
+
 /* s28.12 at pixel (x, y) of the target. */
 struct accel_depth_plane {
 	int x, y;
@@ -51,7 +55,10 @@ void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *c
 /* @narrow: the triangle is, so that the plane may be rounded to depth_compact. */
 void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_basis *basis,
 			 const struct accel_vertex *const vertex[3], bool narrow);
-/* The same of triangle @i in a batch (kernel.h). */
+/* The same, and accel_small_plane, of triangle @i in a batch (kernel.h) whose plane is narrow. */
+void accel_surface_plane_of(struct accel_depth_plane *plane, const struct accel_fit_batch *batch,
+			    int i);
+/* accel_surface_basis of it. */
 void accel_surface_basis_of(const struct accel_fit_batch *batch, int i, struct accel_basis *basis);
 /* As accel_surface_patch, of patch @i in a batch that has been fitted. */
 void accel_surface_fitted(struct accel_triangle *triangle, const struct accel_fit_batch *batch,
