@@ -377,9 +377,6 @@ bool accel_patch_divisible(const struct accel_vertex *a, const struct accel_vert
 bool accel_patch_curved(const struct accel_patch *patch);
 /* The middle of a triangle on the screen, not sampled. */
 void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *vertex);
-/* The place of a pixel's centre, likewise. */
-void accel_patch_pixel(const struct accel_vertex *const corner[3], int x, int y,
-		       struct accel_vertex *vertex);
 /* The colour in a triangle's middle of the second-order surface through what vertices and edges were sampled to. */
 void accel_patch_surface_centre(const struct accel_patch *patch, float colour[3]);
 

@@ -29,21 +29,47 @@ void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
 /* Points that are lit together. */
 struct points {
 	int count;
-	float *colour[ACCEL_BATCH];
-	struct accel_vertex vertex[ACCEL_BATCH];
+	float *colour[ACCEL_BATCH]; /* where their light goes */
+	struct accel_pixel_batch batch;
 };
 
 static void few_flush(const struct accel_pass *pass, struct points *points, int side)
 {
-	struct accel_vertex *vertex[ACCEL_BATCH] = { NULL };
+	const struct accel_light_batch *light = &points->batch.light;
 
+	accel_kernel()->pixel(&points->batch, points->count);
+	accel_kernel()->light(&pass->lighting, side, &points->batch.light, points->count);
 	for (int i = 0; i < points->count; i++)
-		vertex[i] = &points->vertex[i];
-	accel_shading_vertices(pass, vertex, points->count, side);
-	for (int i = 0; i < points->count; i++)
-		memcpy(points->colour[i], points->vertex[i].sample.colour,
-		       sizeof(points->vertex[i].sample.colour));
+		for (int j = 0; j < CHANNELS; j++)
+			points->colour[i][j] = light->colour[j][i];
 	points->count = 0;
+}
+
+static void few_put_corner(struct accel_pixel_batch *batch, int i, int corner,
+			   const struct accel_vertex *vertex)
+{
+	batch->x[corner][i] = vertex->x;
+	batch->y[corner][i] = vertex->y;
+	batch->w[corner][i] = vertex->w;
+	batch->length[corner][i] = vertex->length;
+	for (int j = 0; j < 3; j++) {
+		batch->eye[corner][j][i] = vertex->eye[j];
+		batch->normal[corner][j][i] = vertex->normal[j];
+	}
+	for (int j = 0; j < 4; j++)
+		batch->paint[corner][j][i] = vertex->paint[j];
+}
+
+static void few_put(struct points *points, const struct accel_patch *patch,
+		    const struct accel_pixel *pixel, float *colour)
+{
+	const int i = points->count++;
+
+	points->batch.pixel[0][i] = pixel->x;
+	points->batch.pixel[1][i] = pixel->y;
+	for (int j = 0; j < 3; j++)
+		few_put_corner(&points->batch, i, j, patch->vertex[j]);
+	points->colour[i] = colour;
 }
 
 static void few_light_side(const struct accel_pass *pass, const struct accel_patch *patch,
@@ -54,9 +80,7 @@ static void few_light_side(const struct accel_pass *pass, const struct accel_pat
 	points.count = 0;
 	for (int i = 0; i < count; i++) {
 		for (int j = 0; j < few[i]->count && patch[i].side == side; j++) {
-			accel_patch_pixel(patch[i].vertex, few[i]->pixel[j].x, few[i]->pixel[j].y,
-					  &points.vertex[points.count]);
-			points.colour[points.count++] = few[i]->colour[j];
+			few_put(&points, &patch[i], &few[i]->pixel[j], few[i]->colour[j]);
 			if (points.count == ACCEL_BATCH)
 				few_flush(pass, &points, side);
 		}

@@ -46,6 +46,17 @@ struct accel_light_batch {
 	float ambient[3][ACCEL_BATCH], diffuse[3][ACCEL_BATCH], specular[3][ACCEL_BATCH];
 };
 
+/* ---- pixel_loop.h ---- */
+
+struct accel_pixel_batch {
+	int32_t pixel[2][ACCEL_BATCH]; /* x, y; the triangle has not more than a few rows */
+	/* Of its corners, as in accel_vertex. */
+	int32_t x[3][ACCEL_BATCH], y[3][ACCEL_BATCH];
+	float w[3][ACCEL_BATCH], eye[3][3][ACCEL_BATCH], normal[3][3][ACCEL_BATCH];
+	float length[3][ACCEL_BATCH], paint[3][4][ACCEL_BATCH];
+	struct accel_light_batch light; /* of the point, that is ready to be lit */
+};
+
 /* ---- setup_loop.h ---- */
 
 /* As struct accel_line, and struct accel_row. */
@@ -144,6 +155,8 @@ struct accel_kernel {
 		      struct accel_light_batch *batch, int count);
 	void (*light_lamp)(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 			   int side, struct accel_light_batch *batch, int count);
+	/* Places of @count pixels on their triangles, in the middle in space as on the screen. */
+	void (*pixel)(struct accel_pixel_batch *batch, int count);
 	/* The bases of @count triangles, and their depth planes; or their surfaces. */
 	void (*plane)(struct accel_fit_batch *batch, int count);
 	void (*fit)(struct accel_fit_batch *batch, int count);

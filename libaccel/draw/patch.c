@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /* Places between the vertices of a triangle: the middles of its edges, and its own. */
-#include <math.h>
 
 #include "draw/triangle.h"
 
@@ -78,22 +77,6 @@ void accel_patch_centre(const struct accel_patch *patch, struct accel_vertex *ve
 	for (int i = 0; i < 3; i++)
 		weight[i] = 1 / patch->vertex[i]->w;
 	patch_blend(patch->vertex, weight, vertex);
-}
-
-void accel_patch_pixel(const struct accel_vertex *const corner[3], int x, int y,
-		       struct accel_vertex *vertex)
-{
-	const struct accel_vertex centre = {
-		.x = x * ACCEL_WINDOW_ONE + ACCEL_WINDOW_HALF,
-		.y = y * ACCEL_WINDOW_ONE + ACCEL_WINDOW_HALF,
-	};
-	float weight[3];
-
-	for (int i = 0; i < 3; i++)
-		weight[i] = fabsf((float)accel_surface_area(&centre, corner[(i + 1) % 3],
-							    corner[(i + 2) % 3])) /
-			    corner[i]->w;
-	patch_blend(corner, weight, vertex);
 }
 
 void accel_patch_surface_centre(const struct accel_patch *patch, float colour[3])

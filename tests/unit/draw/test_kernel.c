@@ -149,6 +149,42 @@ static void any_triangle(uint64_t *seed, struct accel_setup_batch *batch, int i)
 	}
 }
 
+static void pixels_are_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_pixel_batch given, wanted, got;
+	uint64_t seed = test_seed();
+
+	(void)unused;
+	for (int n = 0; n < ROUNDS; n++) {
+		int count = test_between(&seed, 1, ACCEL_BATCH + 1);
+
+		fill(&seed, &given.w[0][0], 36 * (size_t)ACCEL_BATCH, n % 8 ? 2 : 60);
+		for (int i = 0; i < ACCEL_BATCH; i++) {
+			int x = test_between(&seed, 0, SIDE), y = test_between(&seed, 0, SIDE);
+
+			given.pixel[0][i] = x;
+			given.pixel[1][i] = y;
+			for (int j = 0; j < 3; j++) {
+				given.x[j][i] = x * ACCEL_WINDOW_ONE +
+						test_between(&seed, -(1 << 25), 1 << 25);
+				given.y[j][i] = y * ACCEL_WINDOW_ONE +
+						test_between(&seed, -(1 << 13), 1 << 13);
+			}
+		}
+		wanted = given;
+		accel_kernel_baseline.pixel(&wanted, count);
+		settle(&wanted.light, 11 * sizeof(wanted.light.length));
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = given;
+			accel_kernels[i]->pixel(&got, count);
+			settle(&got.light, 11 * sizeof(got.light.length));
+			assert_memory_equal(&got, &wanted, sizeof(got));
+		}
+	}
+}
+
 static void edges_are_the_same_with_all_instructions(void **unused)
 {
 	static struct accel_setup_batch given, wanted, got;
@@ -416,6 +452,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(vertices_are_the_same_with_all_instructions),
 		cmocka_unit_test(light_is_the_same_with_all_instructions),
+		cmocka_unit_test(pixels_are_the_same_with_all_instructions),
 		cmocka_unit_test(edges_are_the_same_with_all_instructions),
 		cmocka_unit_test(surfaces_are_the_same_with_all_instructions),
 		cmocka_unit_test(small_records_are_the_same_with_all_instructions),
