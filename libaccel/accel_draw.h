@@ -128,6 +128,31 @@ struct accel_light {
 };
 #define ACCEL_LIGHT(...) ACCEL_SIZED(accel_light, __VA_ARGS__)
 
+/* Pixels of the widest line and point. */
+#define ACCEL_WIDTH_MAX 64
+
+/*
+ * Lines, drawn as so many whole pixels beside each other. Every @repeat pixels along a line, from
+ * the beginning of its primitive on, the next bit of @stipple, from bit 0 on, says whether it is
+ * drawn there.
+ */
+struct accel_line_style {
+	size_t size;      /* of this struct, bytes: set by ACCEL_LINE_STYLE() */
+	float width;      /* pixels, up to ACCEL_WIDTH_MAX; 0: 1 */
+	uint16_t stipple; /* 0: the line has no gaps */
+	uint16_t repeat;  /* 0: 1 */
+};
+#define ACCEL_LINE_STYLE(...) ACCEL_SIZED(accel_line_style, __VA_ARGS__)
+
+/* Points, drawn as squares of whole pixels: of width / sqrt(c + l*d + q*d^2) at the distance d. */
+struct accel_point_style {
+	size_t size;          /* of this struct, bytes: set by ACCEL_POINT_STYLE() */
+	float width;          /* pixels, up to ACCEL_WIDTH_MAX; 0: 1 */
+	float least, most;    /* of what is drawn; 0: no limit, ACCEL_WIDTH_MAX */
+	float attenuation[3]; /* c, l, q, none below 0; all 0: as 1, 0, 0 */
+};
+#define ACCEL_POINT_STYLE(...) ACCEL_SIZED(accel_point_style, __VA_ARGS__)
+
 /*
  * A new state has the defaults that the functions below name, and OpenGL's defaults for
  * the rest. Matrices are the identity. The material of both sides has ambient 0.2 and
@@ -206,14 +231,20 @@ int accel_state_set_material(struct accel_state *state, const struct accel_mater
  * is negative; a spot's exponent or cutoff is out of range; the size is not set or @reserved is.
  * -E2BIG: @light has members that are not known. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
+/* -EINVAL: a width is negative or no number; the size is not set. -E2BIG: @style has members that are
+ * not known. */
+int accel_state_set_line_style(struct accel_state *state, const struct accel_line_style *style);
+/* -EINVAL: a width or an attenuation is negative or no number; the size is not set. -E2BIG: @style
+ * has members that are not known. */
+int accel_state_set_point_style(struct accel_state *state, const struct accel_point_style *style);
 /* How light and colours vary over a triangle; ACCEL_SHADING_ADAPTIVE by default. */
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading);
 
 /* ---- mesh: lent for the duration of a call ---- */
 
 /*
- * What vertices make, in OpenGL's order. What is filled, from triangles to polygons, is drawn so far.
- * Of vertices that make no whole primitive nothing is drawn. A polygon has to be convex. With
+ * What vertices make, in OpenGL's order. Points and lines have the light of their vertices, of front
+ * sides and linear between. Of vertices that make no whole primitive nothing is drawn. A polygon has to be convex. With
  * ACCEL_SHADING_FLAT a primitive has the colour of its last vertex, and a polygon that of its first.
  */
 enum accel_topology {
@@ -370,7 +401,7 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes);
  * Draws @mesh on the frame's target as @state says. Threads of the library, which end with @draw,
  * help with meshes of more than some thousand triangles; they use nothing after the call.
  * -EINVAL: no frame was begun; an index out of range; a coordinate that is not finite; no
- * position array; an array or a topology that is not drawn so far; a size that is not set, or
+ * position array; an array or a topology that is none; a size that is not set, or
  * a @reserved that is. -E2BIG: @mesh has members that are not known. Nothing of the mesh is drawn
  * then. After -ENOMEM the frame is forgotten, and to be begun again.
  *
@@ -393,9 +424,9 @@ int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
  * Draws @elements of @arrays as accel_draw_mesh draws a mesh, on the frame's target as @state says.
  * Of the arrays it reads those vertices, and those attributes, that are drawn. What a program of
  * OpenGL may get wrong is no error: a primitive with a vertex that is not finite, or is none of
- * @arrays, is left out, that is a triangle, a quad or a whole polygon.
+ * @arrays, is left out, that is a point, a segment, a triangle, a quad or a whole polygon.
  * -EINVAL: no frame was begun; no position array; an array, an index type or a topology that is
- * none or is not drawn so far; a size that is not set, or a @reserved that is. -E2BIG: @arrays or
+ * none; a size that is not set, or a @reserved that is. -E2BIG: @arrays or
  * @elements has members that are not known. Nothing is drawn then. After -ENOMEM the frame is
  * forgotten, and to be begun again.
  */

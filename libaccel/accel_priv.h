@@ -83,6 +83,8 @@ struct accel_state {
 	struct accel_material material[2]; /* front, back */
 	struct accel_light light[ACCEL_LIGHTS];
 	enum accel_shading shading;
+	struct accel_line_style line;
+	struct accel_point_style point;
 };
 
 /* sized.c */

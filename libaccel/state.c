@@ -46,6 +46,8 @@ int accel_state_new(struct accel_state **out)
 		.ambient = { 0.2f, 0.2f, 0.2f, 1 },
 		.material = { default_material, default_material },
 		.shading = ACCEL_SHADING_ADAPTIVE,
+		.line = { .width = 1 },
+		.point = { .width = 1, .most = ACCEL_WIDTH_MAX, .attenuation = { 1, 0, 0 } },
 	};
 	accel_state_set_modelview(state, identity);
 	accel_state_set_projection(state, identity);
@@ -253,4 +255,44 @@ int accel_state_set_light(struct accel_state *state, int index, const struct acc
 void accel_state_set_shading(struct accel_state *state, enum accel_shading shading)
 {
 	state->shading = shading;
+}
+
+/* Up to the widest, and 0 is @otherwise. */
+static float state_width(float width, float otherwise)
+{
+	width = width > 0 ? width : otherwise;
+	return width < ACCEL_WIDTH_MAX ? width : ACCEL_WIDTH_MAX;
+}
+
+int accel_state_set_line_style(struct accel_state *state, const struct accel_line_style *given)
+{
+	struct accel_line_style style;
+	int err = accel_sized_in(&style, sizeof(style), given);
+
+	if (err)
+		return err;
+	if (!(style.width >= 0))
+		return -EINVAL;
+	style.width = state_width(style.width, 1);
+	state->line = style;
+	return 0;
+}
+
+int accel_state_set_point_style(struct accel_state *state, const struct accel_point_style *given)
+{
+	struct accel_point_style style;
+	int err = accel_sized_in(&style, sizeof(style), given);
+
+	if (err)
+		return err;
+	if (!(style.width >= 0 && style.least >= 0 && style.most >= 0) ||
+	    !state_finite(style.attenuation, 3) || style.attenuation[0] < 0 ||
+	    style.attenuation[1] < 0 || style.attenuation[2] < 0)
+		return -EINVAL;
+	style.width = state_width(style.width, 1);
+	style.most = state_width(style.most, ACCEL_WIDTH_MAX);
+	if (state_zero(style.attenuation))
+		style.attenuation[0] = 1;
+	state->point = style;
+	return 0;
 }

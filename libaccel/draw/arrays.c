@@ -33,7 +33,7 @@ uint32_t accel_arrays_element(const struct accel_elements *elements, uint64_t i)
 	}
 }
 
-static int arrays_check(const struct accel_pass *pass)
+static int arrays_check_members(const struct accel_pass *pass)
 {
 	const struct accel_arrays *arrays = pass->arrays;
 
@@ -61,12 +61,12 @@ static int arrays_check_elements(const struct accel_pass *pass)
 	for (uint32_t i = 0; i < elements->primitives; i++) {
 		const enum accel_topology topology = elements->primitive[i].topology;
 
-		if (topology >= ACCEL_TOPOLOGY_TRIANGLES && topology <= ACCEL_TOPOLOGY_POLYGON)
+		if ((unsigned int)topology <= ACCEL_TOPOLOGY_POLYGON)
 			continue;
 		accel_device_message(pass->device,
-				     "primitive %u is of topology %u: so far what is filled is "
-				     "drawn, %u to %u",
-				     i, topology, ACCEL_TOPOLOGY_TRIANGLES, ACCEL_TOPOLOGY_POLYGON);
+				     "primitive %u is of topology %u, which is none of "
+				     "ACCEL_TOPOLOGY_*",
+				     i, topology);
 		return -EINVAL;
 	}
 	return 0;
@@ -179,16 +179,17 @@ static int arrays_need(struct accel_pass *pass, struct accel_gather *gather)
 	return arrays_gather(pass, gather, (uint32_t)count);
 }
 
-int accel_arrays_begin(struct accel_pass *pass, struct accel_gather *gather)
+int accel_arrays_check(struct accel_pass *pass)
 {
-	int err = arrays_check(pass);
+	int err = arrays_check_members(pass);
 
 	if (!err)
 		err = arrays_check_elements(pass);
-	if (!err)
-		err = arrays_fetch(pass);
-	if (err)
-		return err;
+	return err ? err : arrays_fetch(pass);
+}
+
+int accel_arrays_begin(struct accel_pass *pass, struct accel_gather *gather)
+{
 	if (!pass->strict)
 		return arrays_need(pass, gather);
 	pass->vertices = pass->arrays->vertices;

@@ -199,12 +199,39 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 	return 0;
 }
 
+/* Draws those of the elements that pass has, all of one figure. */
+static int draw_figure(struct accel_draw *draw, struct accel_pass *pass)
+{
+	const struct accel_state *state = pass->state;
+	int err = accel_arrays_begin(pass, &draw->slices.gather);
+
+	if (err || (!pass->triangles && !pass->strict))
+		return err;
+	accel_geometry_init(&pass->transform, state, draw->target.width, draw->target.height);
+	if (pass->lit)
+		accel_lighting_init(&pass->lighting, state, pass->painted);
+	accel_bin_state(&draw->bin, state, &pass->transform.window.visible);
+	return accel_slices_draw(&draw->slices, pass);
+}
+
+/* Points and lines have the light of their vertices, linear between, whatever the shading is. */
+static int draw_strokes(struct accel_draw *draw, struct accel_pass *pass)
+{
+	struct accel_state state = *pass->state;
+
+	if (state.shading != ACCEL_SHADING_FLAT)
+		state.shading = ACCEL_SHADING_GOURAUD;
+	pass->state = &state;
+	pass->interpolated = true;
+	return draw_figure(draw, pass);
+}
+
 /* @strict: what is not finite is an error. After -ENOMEM the frame is lost. */
 static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		    const struct accel_arrays *arrays, const struct accel_elements *elements,
 		    bool strict)
 {
-	struct accel_pass pass = {
+	struct accel_pass whole = {
 		.device = draw->device,
 		.state = state,
 		.arrays = arrays,
@@ -217,15 +244,22 @@ static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
-	int err = accel_arrays_begin(&pass, &draw->slices.gather);
+	struct accel_elements part = *elements;
+	int err = accel_arrays_check(&whole);
 
-	if (!err && (pass.triangles || strict)) {
-		accel_geometry_init(&pass.transform, state, draw->target.width,
-				    draw->target.height);
-		if (pass.lit)
-			accel_lighting_init(&pass.lighting, state, pass.painted);
-		accel_bin_state(&draw->bin, state, &pass.transform.window.visible);
-		err = accel_slices_draw(&draw->slices, &pass);
+	for (uint32_t i = 0; i < elements->primitives && !err; i += part.primitives) {
+		struct accel_pass pass = whole;
+
+		part.primitive = &elements->primitive[i];
+		pass.elements = &part;
+		pass.figure = accel_primitives_figure(part.primitive->topology);
+		part.primitives = 1;
+		while (i + part.primitives < elements->primitives &&
+		       accel_primitives_figure(part.primitive[part.primitives].topology) ==
+			       pass.figure)
+			part.primitives++;
+		err = pass.figure == ACCEL_FIGURE_FILLED ? draw_figure(draw, &pass) :
+							   draw_strokes(draw, &pass);
 	}
 	if (err == -ENOMEM)
 		draw_frame_lose(draw);

@@ -7,6 +7,7 @@
  *   arrays.c     what a call is given, and which vertices it needs
  *   primitives.c the triangles of primitives
  *   mesh.c       vertices to the screen, culling
+ *   points.c, lines.c, strokes.c  points and lines as triangles
  *   fetch.c      elements of arrays
  *   geometry.c   vertices to the window, each once
  *   kernel.c     loops over many of them (kernel.h, *_loop.h), as the processor has instructions
@@ -264,6 +265,9 @@ void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
 
 /* ---- one call of accel_draw_mesh or accel_draw_arrays ---- */
 
+/* What primitives of a topology are. */
+enum accel_figure { ACCEL_FIGURE_POINTS, ACCEL_FIGURE_LINES, ACCEL_FIGURE_FILLED };
+
 /*
  * What is drawn has vertices with numbers of its own, 0 to @vertices - 1: those of the arrays from
  * the lowest that is needed on, or, if few of many are needed, a vertex for each element.
@@ -273,7 +277,8 @@ struct accel_pass {
 	const struct accel_state *state;
 	const struct accel_arrays *arrays;
 	const struct accel_elements *elements;
-	bool strict; /* a vertex that is not finite is an error */
+	enum accel_figure figure; /* of all its primitives */
+	bool strict;              /* a vertex that is not finite is an error */
 	uint32_t base, vertices;
 	const uint32_t *gather; /* vertex of the arrays of each element; NULL: base on */
 	uint64_t triangles;     /* of all primitives */
@@ -309,9 +314,11 @@ struct accel_gather {
 };
 
 /*
- * Looks at what pass is to draw, all but the content of its arrays, and finds which vertices are
- * needed. -EINVAL: no position array, or what is not drawn, and a message says what; -ENOMEM.
+ * Looks at what pass is to draw, all but the content of its arrays. -EINVAL: no position array, or
+ * what is none, and a message says what.
  */
+int accel_arrays_check(struct accel_pass *pass);
+/* Finds which vertices pass->elements need, which are of one figure. -ENOMEM. */
 int accel_arrays_begin(struct accel_pass *pass, struct accel_gather *gather);
 /* Vertex number of element @i; at least arrays->vertices: none. */
 uint32_t accel_arrays_element(const struct accel_elements *elements, uint64_t i);
@@ -321,7 +328,8 @@ uint32_t accel_arrays_element(const struct accel_elements *elements, uint64_t i)
 /* How many elements of it are looked at: without indices those that are vertices. */
 uint32_t accel_primitives_elements(const struct accel_pass *pass,
 				   const struct accel_primitive *primitive);
-/* How many triangles these make. */
+enum accel_figure accel_primitives_figure(enum accel_topology topology);
+/* How many triangles, segments or points these make. */
 uint32_t accel_primitives_triangles(const struct accel_pass *pass,
 				    const struct accel_primitive *primitive);
 
@@ -337,6 +345,8 @@ struct accel_walk {
 	const uint8_t *number;
 };
 
+/* Vertex of the pass that element @i of the walk's primitive is. False: it can not be drawn. */
+bool accel_primitives_vertex(const struct accel_walk *walk, uint32_t i, uint32_t *vertex);
 /* Begins with triangle @first, which there is. */
 void accel_primitives_begin(struct accel_walk *walk, const struct accel_pass *pass, uint64_t first);
 /*
@@ -360,6 +370,12 @@ int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end);
 /* Vertices @index of the pass, transformed. */
 void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
 		      struct accel_vertex_batch *batch);
+
+/* ---- points.c, lines.c ---- */
+
+/* Draw all of pass->elements, which are of that figure. */
+int accel_points_draw(struct accel_pass *pass);
+int accel_lines_draw(struct accel_pass *pass);
 
 /* ---- face.c ---- */
 

@@ -152,7 +152,11 @@ void accel_group_reset(struct accel_group *group)
 
 bool accel_group_full(const struct accel_group *group)
 {
-	return group->faces + MORE_FACES > group->faces_room;
+	/* Faces that are not clipped get their vertices later. */
+	const uint32_t vertices = group->vertices + 3 * (group->faces + MORE_FACES);
+
+	return group->faces + MORE_FACES > group->faces_room ||
+	       vertices + ACCEL_BATCH > group->vertices_room;
 }
 
 struct accel_face *accel_group_face(struct accel_group *group)

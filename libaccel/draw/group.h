@@ -121,7 +121,10 @@ int accel_group_reserve_parts(struct accel_group *group, uint32_t vertices, uint
 			      uint32_t parts);
 /* Forgets all faces, and that vertices of the mesh were needed. */
 void accel_group_reset(struct accel_group *group);
-/* Has it no room for another batch, and for what a clipped triangle may become? */
+/*
+ * Has it no room for another batch, and for what a clipped triangle may become? Vertices may be
+ * there for which no face is, as it covers no pixel.
+ */
 bool accel_group_full(const struct accel_group *group);
 /* A new face, of which nothing is set. */
 struct accel_face *accel_group_face(struct accel_group *group);
@@ -135,6 +138,51 @@ uint32_t accel_group_edge(struct accel_group *group, uint32_t a, uint32_t b);
 void accel_group_link(struct accel_group *group, bool shared);
 /* Finds the edges of a face. */
 void accel_group_link_edges(struct accel_group *group, struct accel_face *face);
+
+/* ---- mesh.c ---- */
+
+/* Triangles that face the eye, whose edges are found together. */
+struct accel_seen {
+	int count;
+	uint32_t vertex[ACCEL_BATCH][3], flat[ACCEL_BATCH];
+	int side[ACCEL_BATCH];
+	struct accel_setup_batch batch;
+};
+
+/* One more, which has an area; there is room. @flat: the vertex that gives it its colour. */
+void accel_mesh_see(struct accel_seen *seen, const struct accel_point *const point[3],
+		    const uint32_t vertex[3], uint32_t flat, int side);
+/*
+ * Puts them into the group, unless they cover no pixel; returns how many do. @of_group: their
+ * vertices are those of the group.
+ */
+int accel_mesh_put(struct accel_pass *pass, struct accel_seen *seen, bool of_group);
+/* Cuts the triangle of vertices @index, which are @vertex, by @planes; as accel_clip_polygon. */
+int accel_mesh_clip(const struct accel_pass *pass, const struct accel_vertex vertex[3],
+		    const uint32_t index[3], uint32_t planes,
+		    struct accel_corner polygon[ACCEL_POLYGON_MAX]);
+
+/* ---- strokes.c ---- */
+
+/* Vertices of points and lines that are lit together, and what these become. */
+struct accel_strokes {
+	int count;
+	uint32_t index[ACCEL_BATCH]; /* of the pass */
+	struct accel_vertex vertex[ACCEL_BATCH];
+	struct accel_seen seen;
+};
+
+/* Fetches and lights the vertices, all as front sides. */
+void accel_strokes_light(const struct accel_pass *pass, struct accel_strokes *strokes);
+/*
+ * Draws a convex figure of 3 or 4 corners, of which only place, depth and colour are looked at.
+ * @flat has the colour of a flat one.
+ */
+int accel_strokes_fill(struct accel_pass *pass, struct accel_strokes *strokes,
+		       const struct accel_vertex *corner, int corners,
+		       const struct accel_vertex *flat);
+/* Draws what is left in @strokes. */
+int accel_strokes_flush(struct accel_pass *pass, struct accel_strokes *strokes);
 
 /* ---- few.c ---- */
 

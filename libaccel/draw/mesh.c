@@ -89,16 +89,8 @@ static int mesh_visible_side(const struct accel_state *state, int64_t area)
 	return back && state->two_sided && state->lighting ? 1 : 0;
 }
 
-/* Triangles that face the eye, whose edges are found together. */
-struct seen {
-	int count;
-	uint32_t vertex[ACCEL_BATCH][3], flat[ACCEL_BATCH];
-	int side[ACCEL_BATCH];
-	struct accel_setup_batch batch;
-};
-
-static void mesh_see(struct seen *seen, const struct accel_point *const point[3],
-		     const uint32_t vertex[3], uint32_t flat, int side)
+void accel_mesh_see(struct accel_seen *seen, const struct accel_point *const point[3],
+		    const uint32_t vertex[3], uint32_t flat, int side)
 {
 	const int i = seen->count++;
 
@@ -111,8 +103,7 @@ static void mesh_see(struct seen *seen, const struct accel_point *const point[3]
 	seen->side[i] = side;
 }
 
-/* Puts them into the group, unless they cover no pixel; returns how many do. */
-static int mesh_put(struct accel_pass *pass, struct seen *seen, bool clipped)
+int accel_mesh_put(struct accel_pass *pass, struct accel_seen *seen, bool of_group)
 {
 	const struct accel_bounds *visible = &pass->transform.window.visible;
 	const int count = seen->count;
@@ -129,7 +120,7 @@ static int mesh_put(struct accel_pass *pass, struct seen *seen, bool clipped)
 		memcpy(face->vertex, seen->vertex[i], sizeof(face->vertex));
 		face->flat = seen->flat[i];
 		face->side = seen->side[i];
-		face->clipped = clipped;
+		face->clipped = of_group;
 		put++;
 	}
 	seen->count = 0;
@@ -153,7 +144,7 @@ static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 {
 	int apex = accel_clip_apex(polygon, corners);
 	uint32_t number[ACCEL_POLYGON_MAX], of_flat;
-	struct seen fan = { .count = 0 };
+	struct accel_seen fan = { .count = 0 };
 
 	for (int i = 0; i < corners; i++) {
 		accel_shading_vertex(pass, &polygon[i].vertex, side);
@@ -174,19 +165,20 @@ static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 							 polygon[at[j]].vertex.y };
 		part = accel_setup_area(&point[0], &point[1], &point[2]);
 		if (part && (part > 0) == (area > 0))
-			mesh_see(&fan,
-				 (const struct accel_point *[3]){ &point[0], &point[1], &point[2] },
-				 vertex, of_flat, side);
+			accel_mesh_see(&fan,
+				       (const struct accel_point *[3]){ &point[0], &point[1],
+									&point[2] },
+				       vertex, of_flat, side);
 	}
-	if (mesh_put(pass, &fan, true))
+	if (accel_mesh_put(pass, &fan, true))
 		pass->stats->clipped++;
 	else
 		pass->stats->culled++;
 }
 
-static int mesh_clip(const struct accel_pass *pass, const struct accel_vertex vertex[3],
-		     const uint32_t index[3], uint32_t planes,
-		     struct accel_corner polygon[ACCEL_POLYGON_MAX])
+int accel_mesh_clip(const struct accel_pass *pass, const struct accel_vertex vertex[3],
+		    const uint32_t index[3], uint32_t planes,
+		    struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
 	for (int i = 0; i < 3; i++) {
 		float position[4];
@@ -210,7 +202,7 @@ static void mesh_clip_lit(const struct accel_pass *pass, struct accel_vertex ver
 
 	for (int i = 0; i < 3; i++)
 		accel_shading_vertex(pass, &vertex[i], side);
-	corners = mesh_clip(pass, vertex, index, planes, polygon);
+	corners = accel_mesh_clip(pass, vertex, index, planes, polygon);
 	for (int i = 0; i < corners; i++)
 		polygon[i].vertex.sampled = 1u + (unsigned int)side;
 }
@@ -238,7 +230,7 @@ static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], u
 
 	mesh_vertices(pass, index, vertex);
 	flat = vertex[2];
-	corners = mesh_clip(pass, vertex, index, planes, polygon);
+	corners = accel_mesh_clip(pass, vertex, index, planes, polygon);
 	area = mesh_polygon_area(polygon, corners);
 	side = mesh_visible_side(pass->state, area);
 	if (side < 0) {
@@ -251,16 +243,17 @@ static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], u
 }
 
 /* Draws what is in the group if it has no room for more. */
-static int mesh_flush(struct accel_pass *pass, struct seen *seen)
+static int mesh_flush(struct accel_pass *pass, struct accel_seen *seen)
 {
 	const int count = seen->count;
 
-	pass->stats->culled += (uint64_t)(count - mesh_put(pass, seen, false));
+	pass->stats->culled += (uint64_t)(count - accel_mesh_put(pass, seen, false));
 	return accel_group_full(pass->group) ? accel_face_draw_all(pass) : 0;
 }
 
 /* The last of @index is the vertex that gives a flat triangle its colour. */
-static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3], struct seen *seen)
+static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3],
+			     struct accel_seen *seen)
 {
 	const struct accel_screen *const screen = pass->screen;
 	const struct accel_screen *a = &screen[index[0]], *b = &screen[index[1]];
@@ -281,14 +274,14 @@ static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3], s
 		pass->stats->culled++;
 		return 0;
 	}
-	mesh_see(seen, (const struct accel_point *[3]){ &a->at, &b->at, &c->at }, index, index[2],
-		 side);
+	accel_mesh_see(seen, (const struct accel_point *[3]){ &a->at, &b->at, &c->at }, index,
+		       index[2], side);
 	return seen->count == ACCEL_BATCH ? mesh_flush(pass, seen) : 0;
 }
 
 int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end)
 {
-	struct seen seen = { .count = 0 };
+	struct accel_seen seen = { .count = 0 };
 	struct accel_walk walk;
 	uint32_t index[3];
 	int err = 0;

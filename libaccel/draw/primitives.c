@@ -6,6 +6,13 @@
  */
 #include "draw/group.h"
 
+enum accel_figure accel_primitives_figure(enum accel_topology topology)
+{
+	if (topology == ACCEL_TOPOLOGY_POINTS)
+		return ACCEL_FIGURE_POINTS;
+	return topology < ACCEL_TOPOLOGY_TRIANGLES ? ACCEL_FIGURE_LINES : ACCEL_FIGURE_FILLED;
+}
+
 uint32_t accel_primitives_elements(const struct accel_pass *pass,
 				   const struct accel_primitive *primitive)
 {
@@ -23,6 +30,14 @@ uint32_t accel_primitives_triangles(const struct accel_pass *pass,
 	const uint32_t count = accel_primitives_elements(pass, primitive);
 
 	switch (primitive->topology) {
+	case ACCEL_TOPOLOGY_POINTS:
+		return count;
+	case ACCEL_TOPOLOGY_LINES:
+		return count / 2;
+	case ACCEL_TOPOLOGY_LINE_STRIP:
+		return count < 2 ? 0 : count - 1;
+	case ACCEL_TOPOLOGY_LINE_LOOP:
+		return count < 2 ? 0 : count;
 	case ACCEL_TOPOLOGY_TRIANGLES:
 		return count / 3;
 	case ACCEL_TOPOLOGY_QUADS:
@@ -50,6 +65,12 @@ static bool primitives_drawable(const struct accel_walk *walk, uint32_t vertex)
 {
 	return vertex != ACCEL_NONE &&
 	       !(walk->pass->screen[vertex].outside & ACCEL_OUTSIDE_INFINITE);
+}
+
+bool accel_primitives_vertex(const struct accel_walk *walk, uint32_t i, uint32_t *vertex)
+{
+	*vertex = primitives_element(walk, i);
+	return primitives_drawable(walk, *vertex);
 }
 
 static bool primitives_polygon_drawable(const struct accel_walk *walk)

@@ -202,13 +202,20 @@ static int slices_draw_alone(struct accel_slices *slices, struct accel_pass *pas
 	int err = accel_group_reserve(&slices->group[0], pass->vertices, most);
 
 	pass->group = &slices->group[0];
-	return err ? err : accel_mesh_draw(pass, 0, triangles);
+	if (err)
+		return err;
+	if (pass->figure == ACCEL_FIGURE_POINTS)
+		return accel_points_draw(pass);
+	if (pass->figure == ACCEL_FIGURE_LINES)
+		return accel_lines_draw(pass);
+	return accel_mesh_draw(pass, 0, triangles);
 }
 
 int accel_slices_draw(struct accel_slices *slices, struct accel_pass *pass)
 {
 	const bool alone = slices->threads == 1 || accel_device_is_inherited(pass->device) ||
-			   pass->triangles <= TRIANGLES_LEAST;
+			   pass->triangles <= TRIANGLES_LEAST ||
+			   pass->figure != ACCEL_FIGURE_FILLED;
 	int err = slices_reserve_screens(slices, pass->vertices);
 
 	pass->screen = slices->screen;

@@ -157,7 +157,7 @@ static enum accel_topology any_topology(void)
 {
 	if (one_in(50))
 		return (enum accel_topology)any_int();
-	return (enum accel_topology)(ACCEL_TOPOLOGY_TRIANGLES + below(6));
+	return (enum accel_topology)below(ACCEL_TOPOLOGY_POLYGON + 1);
 }
 
 static float position[VERTICES][ELEMENT_FLOATS], normal[VERTICES][ELEMENT_FLOATS];

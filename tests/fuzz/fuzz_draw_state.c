@@ -92,8 +92,26 @@ static void set_window(struct accel_state *state)
 	accel_state_set_cull(state, (enum accel_cull)below(3));
 }
 
+static void set_strokes(struct accel_state *state)
+{
+	struct accel_line_style line = ACCEL_LINE_STYLE(.width = float_to(70),
+							.stipple = (uint16_t)random_word(),
+							.repeat = (uint16_t)below(300));
+	struct accel_point_style point = ACCEL_POINT_STYLE(.width = float_to(70),
+							   .least = float_to(3));
+
+	if (one_in(2))
+		line.stipple = 0;
+	for (int i = 0; i < 3; i++)
+		point.attenuation[i] = one_in(2) ? float_to(1) : 0;
+	accel_state_set_line_style(state, &line);
+	accel_state_set_point_style(state, &point);
+}
+
 void fuzz_draw_state(struct accel_state *state)
 {
+	if (one_in(4))
+		set_strokes(state);
 	if (one_in(2))
 		set_matrices(state);
 	for (int i = below(4); i > 0; i--)

@@ -42,7 +42,7 @@ static void a_mesh_that_is_none_is_refused(void **state)
 	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
 	assert_message(&f->messages, "without positions");
 	mesh = square_mesh();
-	mesh.topology = (enum accel_topology)3;
+	mesh.topology = (enum accel_topology)10;
 	assert_int_equal(mesh_draw(f, &mesh), -EINVAL);
 	assert_message(&f->messages, "topology");
 	mesh = square_mesh();

@@ -48,6 +48,38 @@ static int light_of_a_later_version(void)
 	return accel_state_set_light(test.state, 0, &light.now);
 }
 
+static int line_of_no_size(void)
+{
+	return accel_state_set_line_style(test.state, &(struct accel_line_style){ .width = 1 });
+}
+
+static int point_of_no_size(void)
+{
+	return accel_state_set_point_style(test.state, &(struct accel_point_style){ .width = 1 });
+}
+
+static int line_of_a_later_version(void)
+{
+	struct {
+		struct accel_line_style now;
+		uint64_t later;
+	} style = { ACCEL_LINE_STYLE(), 1 };
+
+	style.now.size = sizeof(style);
+	return accel_state_set_line_style(test.state, &style.now);
+}
+
+static int point_of_a_later_version(void)
+{
+	struct {
+		struct accel_point_style now;
+		uint64_t later;
+	} style = { ACCEL_POINT_STYLE(), 1 };
+
+	style.now.size = sizeof(style);
+	return accel_state_set_point_style(test.state, &style.now);
+}
+
 /* ---- draws ---- */
 
 static const float corner[3][3] = { { -1, -1, 0 }, { 1, -1, 0 }, { 0, 1, 0 } };
@@ -191,6 +223,10 @@ const struct reached errors_draw[] = {
 	{ "accel_state_set_light", -EINVAL, light_number_eight },
 	{ "accel_state_set_material", -E2BIG, material_of_a_later_version },
 	{ "accel_state_set_light", -E2BIG, light_of_a_later_version },
+	{ "accel_state_set_line_style", -EINVAL, line_of_no_size },
+	{ "accel_state_set_line_style", -E2BIG, line_of_a_later_version },
+	{ "accel_state_set_point_style", -EINVAL, point_of_no_size },
+	{ "accel_state_set_point_style", -E2BIG, point_of_a_later_version },
 	{ "accel_draw_begin", -EINVAL, begin_with_a_clear_of_what_is_not_there },
 	{ "accel_draw_begin", -E2BIG, begin_with_a_clear_of_a_later_version },
 	{ "accel_draw_clear", -EINVAL, clear_before_a_frame },
