@@ -72,31 +72,33 @@ module raster_load #(
   logic [StreamBits-1:0] data_q;
   logic                  bank_q;
 
-  logic                  walk_full_q, row_full_q, ready, open, open_small;
+  logic                  walk_full_q, row_full_q, free, open, open_small;
   logic [1:0]            row_fresh_q;  // clocks that raster_row has to wait
   logic                  take_header, take_go, take_set, take_end;
   logic [6:0]            take_part;
 
-  // Only a small record's header may come with row_take_i, which is known late: all else is opened
-  // without it. After a tile's end it need not come so early.
-  assign ready = !walk_full_q && !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i) &&
-                 !(scissor_held_q && !walk_idle_i);
-  assign open = ready && !row_full_q;
+  // Each waits for no more than it has to, because what is decided here enables all fields of the
+  // record. Only a small record's header may come with row_take_i, which is known late; after a
+  // tile's end it need not come so early.
+  assign free = !walk_full_q && !row_full_q;
+  assign open = free && !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i) &&
+                !(scissor_held_q && !walk_idle_i);
   assign open_small = !walk_full_q && (!row_full_q || (row_take_i && !is_end_q));
   assign ready_o = !held_q || (header_q && is_small ? open_small : open);
   assign idle_o = !held_q && !walk_full_q && !row_full_q;
   assign walk_valid_o = walk_full_q;
   assign row_valid_o = row_full_q && !row_fresh_q[0];
 
-  assign take_header = header_q && (is_small ? open_small : open);
+  assign take_header = header_q && (is_small ? open_small : free);
   always_comb begin
-    take_part = open ? part_q : '0;
+    take_part = free ? part_q : '0;
     take_part[gloss_pkg::PART_SMALL] = part_q[gloss_pkg::PART_SMALL] &&
-                                       (header_q ? open_small : open);
+                                       (header_q ? open_small : free);
+    take_part[gloss_pkg::PART_SMALL_ROWS] = part_q[gloss_pkg::PART_SMALL_ROWS] && open;
   end
   assign take_go = valid_i && ready_o && op_i.go;
   assign take_set = set_q && open;
-  assign take_end = end_q && open;
+  assign take_end = end_q && free;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
