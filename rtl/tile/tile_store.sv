@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads tiles that are drawn, in stream order, colour before depth, and sends their rows to memory
 // or into the response stream, one row of K pixels a clock. A tile waits here until it is drawn and
-// its end is known; the bank is given back when its last row has been read. Three clocks from the
+// its end is known; the bank is given back when its last row has been read. Four clocks from the
 // read to the output, the first two in the bank.
 module tile_store #(
   parameter int unsigned TileSize = 64,
@@ -78,13 +78,14 @@ module tile_store #(
   logic [AddressBits-1:0] address_q;
   logic [PitchBits-1:0] pitch_q;
 
-  // The row in the RAM's output, then both parts in the bank's register, where marks are compared
-  // and one is chosen, then at the output.
+  // The row in the RAM's output, then both parts in the bank's register, where marks are compared,
+  // then the one that was chosen, then at the output, the clear value if that is what it is.
   logic ram_valid_q, ram_depth_q, ram_answer_q, ram_last_q;
   logic word_valid_q, word_is_depth_q, word_answer_q, word_last_q, word_moves;
   logic [31:0] word_clear_q;
-  logic word_fresh;
-  logic [Width-1:0] word;
+  logic part_valid_q, part_answer_q, part_last_q, part_fresh_q, part_moves;
+  logic [Width-1:0] part_q;
+  logic [31:0] part_clear_q;
   logic out_valid, out_ready, out_answer, out_last;
   logic [Width-1:0] out_word;
 
@@ -172,10 +173,9 @@ module tile_store #(
   end
 
   // Rows.
-  assign word_moves = !word_valid_q || out_ready;
+  assign part_moves = !part_valid_q || out_ready;
+  assign word_moves = !word_valid_q || part_moves;
   assign moves_o = word_moves;
-  assign word = word_is_depth_q ? depth_i : colour_i;
-  assign word_fresh = (word_is_depth_q ? depth_mark_i : colour_mark_i) == mark_i;
 
   always_ff @(posedge clk_i) begin
     if (read_en_o) begin
@@ -189,15 +189,24 @@ module tile_store #(
       word_answer_q <= ram_answer_q;
       word_last_q <= ram_last_q;
     end
+    if (part_moves) begin
+      part_q <= word_is_depth_q ? depth_i : colour_i;
+      part_fresh_q <= (word_is_depth_q ? depth_mark_i : colour_mark_i) == mark_i;
+      part_clear_q <= word_clear_q;
+      part_answer_q <= word_answer_q;
+      part_last_q <= word_last_q;
+    end
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       ram_valid_q <= 1'b0;
       word_valid_q <= 1'b0;
+      part_valid_q <= 1'b0;
     end else begin
       ram_valid_q <= read_en_o || (ram_valid_q && !word_moves);
       word_valid_q <= word_moves ? ram_valid_q : 1'b1;
+      part_valid_q <= part_moves ? word_valid_q : 1'b1;
     end
   end
 
@@ -206,9 +215,9 @@ module tile_store #(
   ) u_out (
     .clk_i  (clk_i),
     .rst_ni (rst_ni),
-    .valid_i(word_valid_q),
+    .valid_i(part_valid_q),
     .ready_o(out_ready),
-    .data_i ({word_answer_q, word_last_q, word_fresh ? word : {PixelsPerClock{word_clear_q}}}),
+    .data_i ({part_answer_q, part_last_q, part_fresh_q ? part_q : {PixelsPerClock{part_clear_q}}}),
     .valid_o(out_valid),
     .ready_i(out_answer ? response_ready_i : store_data_ready_i),
     .data_o ({out_answer, out_last, out_word})
