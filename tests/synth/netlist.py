@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""The whole core as a netlist of ECP5 cells that can be placed as it is.
+"""The whole core, or the PCI port, as a netlist of ECP5 cells that can be placed as it is.
 
-The core has hundreds of ports and is placed without the board around it. A wrapper of four pins
+Either has hundreds of ports and is placed without the board around it. A wrapper of four pins
 takes their place: each input comes from a register, each output ends in one, and these make chains
-that are filled and emptied a bit a clock. yosys maps the core as a module of its own
+that are filled and emptied a bit a clock. yosys maps the design as a module of its own
 (keep_hierarchy), so nothing of it can be trimmed or merged with the wrapper, and it is counted by
-itself.
+itself. The wrapper calls it u_core, whichever it is.
 """
 import json
 import re
 
 from rtl import ports, run, sources
 
-NOT_IN_CORE = ("port", "board")
-CORE, WRAPPER = "gloss_core", "core_pins"
+# Folders of the RTL that a design needs nothing of; they need not be read.
+WITHOUT = {"gloss_core": ("port", "board"), "port_pci": ("board",)}
+WRAPPER = "core_pins"
 # Others, such as retiming, have not been compared.
 PASSES = "synth_ecp5 -abc9"
 # What a netlist is counted by: it depends on yosys, and on nothing that is random.
@@ -36,14 +37,14 @@ def connect(found):
     return lines, bits["input"], bits["output"]
 
 
-def wrapper(found):
-    """The wrapper's source."""
+def wrapper(module, found):
+    """The source of a module's wrapper."""
     lines, ins, outs = connect(found)
     return f"""module {WRAPPER}(input logic clk_i, rst_ni, bit_i, output logic bit_o);
   logic [1:0] reset_q;
   logic [{ins - 1}:0] in_q;
   logic [{outs - 1}:0] out, out_q, chain_q;
-  {CORE} u_core({", ".join(lines)});
+  {module} u_core({", ".join(lines)});
   always_ff @(posedge clk_i) begin
     reset_q <= {{reset_q[0], rst_ni}};
     in_q <= {{in_q, bit_i}};
@@ -66,17 +67,17 @@ def counts(cells):
 
 
 class Netlist:
-    """A mapped core: where its file is, its cells and those of the wrapper."""
+    """A mapped module: where its file is, its cells and those of the wrapper."""
 
-    def __init__(self, path, stat):
-        self.path = path
-        self.core, self.wrapper = (counts(stat["modules"][f"\\{module}"]["num_cells_by_type"])
-                                   for module in (CORE, WRAPPER))
+    def __init__(self, path, module, stat):
+        self.path, self.module = path, module
+        self.core, self.wrapper = (counts(stat["modules"][f"\\{name}"]["num_cells_by_type"])
+                                   for name in (module, WRAPPER))
 
     def registers(self):
-        """The name of the register that each flip-flop of the core is a bit of, by cell."""
+        """The name of the register that each of its flip-flops is a bit of, by cell."""
         with open(self.path, encoding="utf-8") as file:
-            module = json.load(file)["modules"][CORE]
+            module = json.load(file)["modules"][self.module]
         return registers(module)
 
 
@@ -92,23 +93,24 @@ def registers(module):
             for cell, content in module["cells"].items() if content["type"] == CELLS["ff"]}
 
 
-def make(name, values, out):
-    """Maps a core with these parameters; its files are in the folder out."""
-    found = ports(CORE, values, out)
+def make(name, module, values, out):
+    """Maps a module with these parameters; its files are in the folder out."""
+    found = ports(module, values, out)
     pins, path, stat = f"{out}/{name}.sv", f"{out}/{name}.json", f"{out}/{name}.stat.json"
     with open(pins, "w", encoding="utf-8") as file:
-        file.write(wrapper(found))
+        file.write(wrapper(module, found))
     setting = " ".join(f"-set {key} {value}" for key, value in values.items())
     run(["yosys", "-q", "-p",
-         f"read_verilog -sv -Irtl {' '.join(sources(NOT_IN_CORE))}; chparam {setting} {CORE}; "
-         f"hierarchy -top {CORE}; rename -top {CORE}; setattr -mod -set keep_hierarchy 1 {CORE}; "
+         f"read_verilog -sv -Irtl {' '.join(sources(WITHOUT[module]))}; "
+         f"chparam {setting} {module}; hierarchy -top {module}; rename -top {module}; "
+         f"setattr -mod -set keep_hierarchy 1 {module}; "
          f"read_verilog -sv {pins}; {PASSES} -top {WRAPPER} -json {path}; "
          f"tee -q -o {stat} stat -json"], f"{out}/{name}.yosys.log")
     with open(stat, encoding="utf-8") as file:
-        netlist = Netlist(path, json.load(file))
+        netlist = Netlist(path, module, json.load(file))
     if netlist.wrapper["ff"] != wrapper_registers(found):
         raise ValueError(f"{name}: the wrapper has {netlist.wrapper['ff']} registers, not "
-                         f"{wrapper_registers(found)}: ports of the core are not connected")
+                         f"{wrapper_registers(found)}: ports of {module} are not connected")
     return netlist
 
 

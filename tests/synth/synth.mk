@@ -8,11 +8,11 @@ synth: ## size and clock on three FPGA families (half an hour of processor time)
 	$(Q)tests/synth/synth.py $(BUILD) $(JOBS)
 
 STAGE ?= command
-synth-stage: ## clock of one stage: STAGE=command, raster_shade, fragment, tile, memory, port_pci, port_usb
+synth-stage: ## clock of one stage: STAGE=command, raster_shade, fragment, tile, memory, port_usb
 	$(Q)tests/synth/synth.py $(BUILD) $(JOBS) $(STAGE)
 
-# PNR_CORE: k1 or k8, else both; PNR_ACCEPT=1 writes tests/synth/pnr.json.
-pnr: ## the whole core placed and routed on ECP5 (half an hour of processor time); build/pnr.json
+# PNR_CORE: k1, k8 or pci, else all; PNR_ACCEPT=1 writes tests/synth/pnr.json.
+pnr: ## the whole core and the PCI port placed and routed on ECP5 (an hour of processor time); build/pnr.json
 	$(Q)tests/synth/pnr.py $(if $(PNR_ACCEPT),--accept) $(BUILD) $(or $(GLOSS_CACHE),$(BUILD)) $(JOBS) $(PNR_CORE)
 
 run-pnr:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Size and clock of the core with open tools: tests/synth/synth.py BUILD [JOBS [STAGE]]
 
-Prints what each stage takes on iCE40, ECP5 and Xilinx 7, places the stages of the core and both
-ports on an iCE40 HX8K, writes BUILD/synth.json and fails if a promise is broken: clock, size, no
+Prints what each stage takes on iCE40, ECP5 and Xilinx 7, places the stages of the core and the
+USB port on an iCE40 HX8K, writes BUILD/synth.json and fails if a promise is broken: clock, size, no
 multipliers, tile memories in block RAM. With STAGE it only places that one, and writes its figures
 beside those that are there.
 
@@ -28,9 +28,9 @@ SEEDS = range(1, 6)         # of the placer
 HX8K_CELLS, HX8K_RAMS = 7680, 32
 
 # What is placed. The clock of the core is that of its slowest stage: all of them end in registers,
-# and the whole of it is too large for the device.
+# and the whole of it is too large for the device. So is the PCI port, which make pnr places.
 CORE_STAGES = ("command", "raster_shade", "fragment", "tile", "memory")
-PORTS = ("port_pci", "port_usb")
+PORTS = ("port_usb",)
 HALF_RAM = ("tile",)        # those that have more block RAM than the device
 
 SMALL = {"TileSize": 32, "PixelsPerClock": 1, "StreamBits": 32}

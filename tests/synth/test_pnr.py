@@ -58,14 +58,15 @@ SDF = r"""
 LONGEST = 5005
 
 STAT = {"modules": {"\\gloss_core": {"num_cells_by_type": {"LUT4": 7, "TRELLIS_FF": 2}},
+                    "\\port_pci": {"num_cells_by_type": {"LUT4": 7, "TRELLIS_FF": 2}},
                     "\\core_pins": {"num_cells_by_type": {"LUT4": 2, "TRELLIS_FF": 9}}}}
 PORTS = {"clk_i": ("input", 1), "rst_ni": ("input", 1), "a_i": ("input", 3), "b_o": ("output", 2)}
-DESIGN = {"modules": {"gloss_core": {
+DESIGN = {"modules": dict.fromkeys(("gloss_core", "port_pci"), {
     "ports": {name: {"direction": way, "bits": list(range(width))}
               for name, (way, width) in PORTS.items()},
     "netnames": {"u_tile.a_q": {"bits": [5]}, "a": {"bits": [5]}, "u_tile.a_o": {"bits": [5]}},
     "cells": {"g_TRELLIS_FF_Q": {"type": "TRELLIS_FF", "connections": {"Q": [5]}},
-              "g_LUT4_Z": {"type": "LUT4", "connections": {"Z": [5]}}}}}}
+              "g_LUT4_Z": {"type": "LUT4", "connections": {"Z": [5]}}}})}
 
 # Answers as yosys does: writes what -json, write_json and tee -o name.
 YOSYS = f"""#!/usr/bin/env python3
@@ -120,7 +121,7 @@ class Timing(unittest.TestCase):
 
 class Wrapper(unittest.TestCase):
     def test_all_ports_are_connected(self):
-        text = netlist.wrapper(PORTS)
+        text = netlist.wrapper("gloss_core", PORTS)
         self.assertIn("u_core(.clk_i(clk_i), .rst_ni(reset_q[1]), "
                       ".a_i(in_q[0 +: 3]), .b_o(out[0 +: 2]));", text)
         self.assertIn("logic [2:0] in_q;", text)
@@ -204,7 +205,7 @@ class Program(unittest.TestCase):
 
     def golden(self, cells, clock):
         with open(f"{OUT}/golden.json", "w", encoding="utf-8") as file:
-            json.dump({"cells": cells, "fmax_mhz": {"k1": clock, "k8": clock}}, file)
+            json.dump({"cells": cells, "fmax_mhz": dict.fromkeys(("k1", "k8", "pci"), clock)}, file)
 
     def refuses(self, text, *words, **more):
         status, said = self.run_pnr(*words, **more)
@@ -214,7 +215,7 @@ class Program(unittest.TestCase):
         self.refuses("usage: pnr.py [--accept] BUILD CACHE [JOBS [CORE]]", OUT)
         self.refuses("usage:", "--exact", OUT, OUT)
         self.refuses("pnr: JOBS is a number from 1 on, not many", OUT, OUT, "many")
-        self.refuses("pnr: no core k2, but k1 k8", OUT, OUT, "1", "k2")
+        self.refuses("pnr: no core k2, but k1 k8 pci", OUT, OUT, "1", "k2")
 
     def test_without_yosys(self):
         os.remove(f"{OUT}/bin/yosys")
@@ -242,7 +243,7 @@ class Program(unittest.TestCase):
         with open(f"{OUT}/pnr.json", encoding="utf-8") as file:
             found = json.load(file)
         self.assertEqual(found["pnr.ecp5.fmax_mhz.k1"], 100)
-        self.assertEqual(len(found), 12)
+        self.assertEqual(len(found), 18)
 
     def test_a_clock_that_nobody_accepted(self):
         with open(f"{OUT}/golden.json", "w", encoding="utf-8") as file:
@@ -257,6 +258,13 @@ class Program(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("FAILED: k1: 2 ff cells, accepted are 1 (with yosys 0.23)", said)
         self.assertIn("FAILED: k1: 100.0 MHz, less than 104.5", said)
+
+    def test_a_port_that_is_too_slow_whatever_was_accepted(self):
+        self.program("nextpnr-ecp5", nextpnr(74.9))
+        self.golden({}, 70.0)
+        status, said = self.run_pnr(OUT, OUT, "1", "pci")
+        self.assertEqual(status, 1)
+        self.assertIn("FAILED: pci: 74.9 MHz, less than the 75 it is to reach", said)
 
     def test_what_is_accepted_passes_then(self):
         self.golden({"yosys 0.23": {"k1": {"ff": 1}}}, 110.0)
