@@ -32,6 +32,18 @@ gl-programs: $(GL_FILES) ## glxinfo and eglinfo on the OpenGL vendor library
 	$(call quiet,TEST,gl-programs)
 	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/programs $(BUILD)/tests/gl
 
+# glxgears beside Mesa's softpipe.
+.PHONY: gl-gears
+$(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
+$(BUILD)/tests/gl/still_clock.so: tests/gl/still_clock.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -fPIC -shared $< -o $@
+gl-gears: export VENDOR := $(abspath $(GL_FOLDER))
+gl-gears: export TOOLS := $(abspath $(BUILD)/tests/gl)
+gl-gears: $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(BUILD)/tests/gl/still_clock.so ## glxgears as softpipe draws it
+	$(call quiet,TEST,gl-gears)
+	$(Q)tests/gl/with_xvfb 24 tests/gl/gears $(BUILD)/tests/gl/gears
+
 # The device stays to the end, and with it threads, whose stacks look lost to valgrind.
 .PHONY: gl-valgrind
 gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EGL under valgrind
@@ -42,5 +54,5 @@ gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EG
 	done
 
 ifneq ($(GL_FOUND),)
-CHECKS += gl-programs gl-valgrind
+CHECKS += gl-programs gl-gears gl-valgrind
 endif
