@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "draw/buffer.h"
 #include "draw/list_priv.h"
 
 struct gloss_shared *gloss_shared_new(void)
@@ -38,6 +39,9 @@ void gloss_shared_unref(struct gloss_shared *shared)
 		return;
 	for (uint32_t i = 0; i < shared->lists.places; i++)
 		gloss_list_unref(shared->lists.place[i].object);
+	for (uint32_t i = 0; i < shared->buffers.places; i++)
+		gloss_buffer_free(shared->buffers.place[i].object);
+	free(shared->buffers.place);
 	free(shared->lists.place);
 	pthread_mutex_destroy(&shared->lock);
 	free(shared);

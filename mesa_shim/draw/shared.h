@@ -10,7 +10,7 @@
 struct gloss_shared {
 	pthread_mutex_t lock; /* of all that follows */
 	unsigned int references;
-	struct gloss_names lists;
+	struct gloss_names lists, buffers;
 };
 
 #endif

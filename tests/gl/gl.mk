@@ -5,7 +5,7 @@
 GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=gloss \
 	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: vblank_mode=0
 
-GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_draw
+GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_draw test_gl_array
 GL_TESTS := $(GL_EGL_TESTS) test_glx
 GL_PROGRAMS := $(GL_TESTS:%=$(BUILD)/tests/gl/%)
 $(GL_PROGRAMS): private LIBS := -lcmocka -lEGL -lGL -lX11 -lxcb -pthread
