@@ -14,6 +14,7 @@ extern "C" {
 #endif
 
 #define ACCEL_LIGHTS 8
+#define ACCEL_USER_CLIP_PLANES 6
 #define ACCEL_TARGET_SIZE_MAX 2048
 
 struct accel_target;
@@ -189,6 +190,11 @@ void accel_state_set_depth(struct accel_state *state, enum accel_compare func, b
 /* Which channels are written; all by default. */
 void accel_state_set_colour_mask(struct accel_state *state, bool red, bool green, bool blue,
 				 bool alpha);
+/*
+ * Nothing is drawn where @plane, in eye space, times the place is below 0; NULL, the default: the
+ * plane is off. -EINVAL: @index is not in 0..ACCEL_USER_CLIP_PLANES-1; a number is not finite.
+ */
+int accel_state_set_clip_plane(struct accel_state *state, int index, const float plane[4]);
 /* Which faces are not drawn, none by default. */
 void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
 /* Which way front faces turn in NDC, y up: false, the default: counter-clockwise. */
@@ -346,7 +352,10 @@ struct accel_clear {
 };
 #define ACCEL_CLEAR(...) ACCEL_SIZED(accel_clear, __VA_ARGS__)
 
-/* What became of the triangles of a frame. A new frame begins at zero. */
+/*
+ * What became of the triangles of a frame, of which points and lines are some. A new frame begins at
+ * zero.
+ */
 struct accel_draw_stats {
 	uint64_t triangles_in;               /* before clipping, culling and splitting */
 	uint64_t culled;                     /* out of view, turned away, or between the pixels */

@@ -68,8 +68,10 @@ enum accel_outcome_state { ACCEL_OUTCOME_PENDING, ACCEL_OUTCOME_DONE, ACCEL_OUTC
 struct accel_state {
 	float modelview[16], projection[16];
 	struct {
-		int x, y, width, height; /* width < 0: the whole target */
-	} viewport, scissor;             /* width < 0: no scissor */
+		int x, y, width, height;             /* width < 0: the whole target */
+	} viewport, scissor;                         /* width < 0: no scissor */
+	float clip_plane[ACCEL_USER_CLIP_PLANES][4]; /* eye space */
+	unsigned int clip_planes;                    /* bit i: plane i is on */
 	float depth_near, depth_far;
 	enum accel_compare depth_func;
 	bool depth_write;

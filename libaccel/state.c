@@ -167,6 +167,18 @@ static bool state_finite(const float *value, int count)
 	return true;
 }
 
+int accel_state_set_clip_plane(struct accel_state *state, int index, const float plane[4])
+{
+	if (index < 0 || index >= ACCEL_USER_CLIP_PLANES || (plane && !state_finite(plane, 4)))
+		return -EINVAL;
+	state->clip_planes &= ~(1u << index);
+	if (!plane)
+		return 0;
+	state->clip_planes |= 1u << index;
+	memcpy(state->clip_plane[index], plane, sizeof(state->clip_plane[index]));
+	return 0;
+}
+
 int accel_state_set_ambient(struct accel_state *state, const float rgba[4])
 {
 	if (!state_finite(rgba, 4))

@@ -6,6 +6,7 @@
  * An edge may come from where a double's last digit is larger than all that is seen, and yet pass
  * through the window: along it numbers are wide.
  */
+#include "draw/geometry_window.h"
 #include "draw/triangle.h"
 #include "draw/wide.h"
 
@@ -17,8 +18,12 @@ static struct accel_wide clip_place(const struct accel_corner *corner, int i)
 void accel_clip_corner(const struct accel_transform *transform, const float position[4],
 		       struct accel_corner *corner)
 {
+	const double at[4] = { (double)position[0], (double)position[1], (double)position[2],
+			       (double)position[3] };
 	const double *m = transform->clip;
 
+	for (int i = 0; i < ACCEL_USER_CLIP_PLANES; i++)
+		corner->distance[i] = geometry_user_distance(transform->plane[i], at);
 	accel_geometry_clip_space(transform, position, corner->clip);
 	for (int row = 0; row < 4; row++) {
 		struct accel_wide sum = accel_wide_of_product(m[12 + row], (double)position[3]);
@@ -77,6 +82,9 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 		corner->vertex.sample.colour[i] = a->sample.colour[i] +
 						  s * (b->sample.colour[i] - a->sample.colour[i]);
 	}
+	for (int i = 0; i < ACCEL_USER_CLIP_PLANES; i++)
+		corner->distance[i] = inside->distance[i] +
+				      t.high * (outside->distance[i] - inside->distance[i]);
 	for (int i = 0; i < 3; i++) {
 		corner->vertex.eye[i] = a->eye[i] + s * (b->eye[i] - a->eye[i]);
 		corner->vertex.normal[i] = a->normal[i] + s * (b->normal[i] - a->normal[i]);
@@ -88,25 +96,28 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 	corner->vertex.sampled = 0;
 }
 
-/* Rounding may let a sliver cross a plane more than twice; what does not fit is left out. */
-static int clip_cut(const struct clip_plane *plane, const struct accel_corner *in, int corners,
-		    struct accel_corner *out)
+/*
+ * Cuts by the plane that corners are at distances @d from. Rounding may let a sliver cross it more
+ * than twice; what does not fit is left out.
+ */
+static int clip_cut(const struct accel_wide *d, int corners,
+		    struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
-	struct accel_wide d[ACCEL_POLYGON_MAX];
+	struct accel_corner in[ACCEL_POLYGON_MAX];
 	int kept = 0;
 
 	for (int i = 0; i < corners; i++)
-		d[i] = clip_distance(plane, &in[i]);
+		in[i] = polygon[i];
 	for (int i = 0; i < corners && kept + 2 <= ACCEL_POLYGON_MAX; i++) {
 		int next = (i + 1) % corners;
 		bool inside = d[i].high >= 0, next_inside = d[next].high >= 0;
 
 		if (inside)
-			out[kept++] = in[i];
+			polygon[kept++] = in[i];
 		if (inside && !next_inside)
-			clip_between(&in[i], &in[next], d[i], d[next], &out[kept++]);
+			clip_between(&in[i], &in[next], d[i], d[next], &polygon[kept++]);
 		else if (!inside && next_inside)
-			clip_between(&in[next], &in[i], d[next], d[i], &out[kept++]);
+			clip_between(&in[next], &in[i], d[next], d[i], &polygon[kept++]);
 	}
 	return kept;
 }
@@ -114,7 +125,7 @@ static int clip_cut(const struct clip_plane *plane, const struct accel_corner *i
 int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
 		       struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
-	struct accel_corner copy[ACCEL_POLYGON_MAX];
+	struct accel_wide d[ACCEL_POLYGON_MAX];
 	struct clip_plane plane;
 	int corners = 3;
 
@@ -123,8 +134,15 @@ int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
 			continue;
 		clip_find_plane(window, number, &plane);
 		for (int i = 0; i < corners; i++)
-			copy[i] = polygon[i];
-		corners = clip_cut(&plane, copy, corners, polygon);
+			d[i] = clip_distance(&plane, &polygon[i]);
+		corners = clip_cut(d, corners, polygon);
+	}
+	for (int number = 0; number < ACCEL_USER_CLIP_PLANES && corners; number++) {
+		if (!(planes >> ACCEL_OUTSIDE_USER_BIT >> number & 1))
+			continue;
+		for (int i = 0; i < corners; i++)
+			d[i] = (struct accel_wide){ polygon[i].distance[number], 0 };
+		corners = clip_cut(d, corners, polygon);
 	}
 	for (int i = 0; i < corners; i++)
 		accel_geometry_project(window, polygon[i].clip, &polygon[i].vertex);

@@ -95,10 +95,13 @@ enum accel_outside {
 	ACCEL_OUTSIDE_TOP = 1 << 9,
 	ACCEL_OUTSIDE_BOTTOM = 1 << 10,
 	/* Not finite, or no vertex: what it belongs to is not drawn. */
-	ACCEL_OUTSIDE_INFINITE = 1 << 11
+	ACCEL_OUTSIDE_INFINITE = 1 << 11,
+	/* To be clipped off, too: the first of the state's own planes, the others follow. */
+	ACCEL_OUTSIDE_USER_BIT = 12
 };
 #define ACCEL_CLIP_PLANES 7
-#define ACCEL_OUTSIDE_CLIP ((1u << ACCEL_CLIP_PLANES) - 1)
+#define ACCEL_OUTSIDE_USER (((1u << ACCEL_USER_CLIP_PLANES) - 1) << ACCEL_OUTSIDE_USER_BIT)
+#define ACCEL_OUTSIDE_CLIP (((1u << ACCEL_CLIP_PLANES) - 1) | ACCEL_OUTSIDE_USER)
 
 /* Light at a point of a surface, and what tells how it may change around it. */
 struct accel_sample {
@@ -171,6 +174,8 @@ struct accel_transform {
 	double clip[16], eye[16], normal[9]; /* column by column */
 	double normal_scale;                 /* of what is left of normals' length; 0: it is 1 */
 	bool paint_limited;                  /* to 0..1: it is drawn as it is */
+	double plane[ACCEL_USER_CLIP_PLANES][4]; /* the state's own, of the space of positions */
+	unsigned int planes;                     /* bit i: plane i is on */
 	struct accel_window window;
 };
 
@@ -192,14 +197,15 @@ double accel_geometry_distance(const struct accel_window *window, int plane, con
 
 /* ---- clip.c ---- */
 
-#define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_PLANES + 1)
+#define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_PLANES + ACCEL_USER_CLIP_PLANES + 1)
 
 struct accel_corner {
-	double clip[4], rest[4]; /* rest: what clip is short of */
+	double clip[4], rest[4];                 /* rest: what clip is short of */
+	double distance[ACCEL_USER_CLIP_PLANES]; /* from the state's own planes, positive inside */
 	struct accel_vertex vertex;
 };
 
-/* Sets clip and rest. */
+/* Sets clip, rest and distance. */
 void accel_clip_corner(const struct accel_transform *transform, const float position[4],
 		       struct accel_corner *corner);
 

@@ -115,6 +115,21 @@ static void geometry_window_init(struct accel_window *window, const struct accel
 	window->guard[3] = guard_top + GUARD_HEIGHT;
 }
 
+/* Planes go by the transpose of what takes positions to the eye. */
+static void geometry_planes(struct accel_transform *transform, const struct accel_state *state)
+{
+	transform->planes = state->clip_planes;
+	for (int n = 0; n < ACCEL_USER_CLIP_PLANES; n++)
+		for (int column = 0; column < 4; column++) {
+			double sum = 0;
+
+			for (int row = 0; row < 4; row++)
+				sum += (double)state->clip_plane[n][row] *
+				       (double)state->modelview[4 * column + row];
+			transform->plane[n][column] = sum;
+		}
+}
+
 void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,
 			 int width, int height)
 {
@@ -123,6 +138,7 @@ void accel_geometry_init(struct accel_transform *transform, const struct accel_s
 		transform->eye[i] = (double)state->modelview[i];
 	geometry_normal_matrix(transform, state->modelview, state->normals);
 	transform->paint_limited = !state->lighting;
+	geometry_planes(transform, state);
 	geometry_window_init(&transform->window, state, width, height);
 }
 

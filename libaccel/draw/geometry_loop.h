@@ -47,6 +47,16 @@ static inline uint32_t loop_eye(const struct accel_transform *transform,
 	return finite;
 }
 
+static inline void loop_user_plane(const struct accel_transform *transform, int n,
+				   struct accel_vertex_batch *batch, int i)
+{
+	const double at[4] = { (double)batch->position[0][i], (double)batch->position[1][i],
+			       (double)batch->position[2][i], (double)batch->position[3][i] };
+
+	batch->outside[i] |= (uint32_t)(geometry_user_distance(transform->plane[n], at) < 0)
+			     << (ACCEL_OUTSIDE_USER_BIT + n);
+}
+
 static inline uint32_t loop_normal(const double m[9], double scale,
 				   struct accel_vertex_batch *batch, int i)
 {
@@ -94,6 +104,9 @@ static void loop_transform(const struct accel_transform *by, struct accel_vertex
 		batch->finite[i] = loop_place(&transform, batch, i, at) &
 				   loop_eye(&transform, batch, i, at);
 	}
+	for (int n = 0; n < ACCEL_USER_CLIP_PLANES; n++)
+		for (int i = 0; i < count && transform.planes >> n & 1; i++)
+			loop_user_plane(&transform, n, batch, i);
 	for (int i = 0; i < count; i++)
 		batch->length[i] = 1;
 	for (int i = 0; i < count && normals; i++)

@@ -14,6 +14,12 @@ static inline double geometry_row(const double m[16], int row, const double at[4
 	return m[row] * at[0] + m[4 + row] * at[1] + m[8 + row] * at[2] + m[12 + row] * at[3];
 }
 
+/* Of a point from one of the state's own planes. */
+static inline double geometry_user_distance(const double plane[4], const double at[4])
+{
+	return plane[0] * at[0] + plane[1] * at[1] + plane[2] * at[2] + plane[3] * at[3];
+}
+
 /* accel_geometry_distance, for a @plane that the compiler knows. */
 static inline double geometry_distance(const struct accel_window *window, int plane,
 				       const double clip[4])

@@ -123,7 +123,6 @@ static int lines_draw_one(struct lines *lines, const uint32_t index[2],
 			return 0;
 		a = &polygon[0].vertex;
 		b = &polygon[1].vertex;
-		lines->pass->stats->clipped++;
 	}
 	if (pass->state->line.stipple)
 		return lines_stipple(lines, a, b, &vertex[1]);

@@ -92,6 +92,14 @@ static void set_window(struct accel_state *state)
 	accel_state_set_cull(state, (enum accel_cull)below(3));
 }
 
+static void set_planes(struct accel_state *state)
+{
+	float plane[4];
+
+	any_floats(plane, 4);
+	accel_state_set_clip_plane(state, below(ACCEL_USER_CLIP_PLANES), one_in(3) ? NULL : plane);
+}
+
 static void set_strokes(struct accel_state *state)
 {
 	struct accel_line_style line = ACCEL_LINE_STYLE(.width = float_to(70),
@@ -110,6 +118,8 @@ static void set_strokes(struct accel_state *state)
 
 void fuzz_draw_state(struct accel_state *state)
 {
+	if (one_in(6))
+		set_planes(state);
 	if (one_in(4))
 		set_strokes(state);
 	if (one_in(2))

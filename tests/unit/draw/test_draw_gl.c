@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Where OpenGL has a choice of its own: normals of any length, which of a material the colours are,
- * which way front faces turn, and where row 0 is. What a colour is to be is worked out here from
+ * which way front faces turn, where row 0 is, and planes of its own. What a colour is to be is worked out here from
  * the specification (1.5, sections 2.11.3 and 2.14), in double precision.
  */
+#include <errno.h>
 #include <math.h>
 
 #include "draw/draw_priv.h"
@@ -203,6 +204,64 @@ static void any_modelview_takes_normals_by_its_inverse(void **state)
 	}
 }
 
+/* ---- planes ---- */
+
+/* Of the square, which is 2 wide and 4 high to the eye, what two planes leave; a line and a point. */
+static void planes_of_the_eye_cut_off_what_is_behind_them(void **state)
+{
+	static const float planes[2][4] = { { 1, 0, 0, 0.25f }, { 0, -2, 0, 1 } };
+	static const struct accel_primitive figures[] = { { ACCEL_TOPOLOGY_QUADS, 0, 4 },
+							  { ACCEL_TOPOLOGY_LINES, 0, 2 },
+							  { ACCEL_TOPOLOGY_POINTS, 0, 4 } };
+	static const float figure[3][4][2] = {
+		{ { -4, -4 }, { 4, -4 }, { 4, 4 }, { -4, 4 } },
+		{ { -4, 0.01f }, { 4, 0.01f } },
+		{ { -2, 0.1f }, { 0, 0.1f }, { 2, 0.1f }, { 0, 1.9f } },
+	};
+	static const int drawn[3] = { SIDE * SIDE * 5 / 8 * 3 / 4, SIDE * 5 / 8, 2 };
+	struct fixture *f = *state;
+
+	accel_state_set_lighting(f->state, false);
+	for (int i = 0; i < 2; i++)
+		assert_int_equal(accel_state_set_clip_plane(f->state, 3 * i + 1, planes[i]), 0);
+	for (int n = 0; n < 6; n++) {
+		const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &figures[n % 3],
+								      .primitives = 1);
+		const struct accel_arrays arrays = ACCEL_ARRAYS(.vertices = 4,
+								.position = { .data = figure[n % 3],
+									      .components = 2 });
+		int count = 0;
+
+		accel_state_set_shading(f->state,
+					n < 3 ? ACCEL_SHADING_GOURAUD : ACCEL_SHADING_ADAPTIVE);
+		assert_int_equal(draw_begin(f->draw, f->target, (const float[4]){ 0 }, 1), 0);
+		assert_int_equal(accel_draw_arrays(f->draw, f->state, &arrays, &elements), 0);
+		assert_int_equal(accel_draw_finish(f->draw), 0);
+		assert_int_equal(accel_target_read(f->target, ACCEL_PLANE_COLOUR, NULL, pixels,
+						   SIDE * 4),
+				 0);
+		for (int i = 0; i < PIXELS; i++)
+			count += pixels[i] != 0;
+		assert_int_equal(count, drawn[n % 3]);
+	}
+	/* Without them it is whole. */
+	for (int i = 0; i < 2; i++)
+		assert_int_equal(accel_state_set_clip_plane(f->state, 3 * i + 1, NULL), 0);
+	draw(f, false, pixels);
+	assert_true(pixels[0] != 0 && pixels[PIXELS - 1] != 0);
+}
+
+static void planes_that_are_none_are_refused(void **state)
+{
+	static const float wrong[2][4] = { { 1, 0, NAN, 0 }, { 0, INFINITY, 0, 0 } };
+	struct accel_state *drawn = ((struct fixture *)*state)->state;
+
+	assert_int_equal(accel_state_set_clip_plane(drawn, -1, NULL), -EINVAL);
+	assert_int_equal(accel_state_set_clip_plane(drawn, ACCEL_USER_CLIP_PLANES, NULL), -EINVAL);
+	for (int i = 0; i < 2; i++)
+		assert_int_equal(accel_state_set_clip_plane(drawn, 0, wrong[i]), -EINVAL);
+}
+
 /* ---- sides ---- */
 
 static bool drawn_at_all(struct fixture *f, bool turned)
@@ -277,6 +336,8 @@ int main(void)
 		gl_test(colours_are_what_of_the_material_is_asked_for),
 		gl_test(normals_keep_the_length_that_is_asked_for),
 		gl_test(any_modelview_takes_normals_by_its_inverse),
+		gl_test(planes_of_the_eye_cut_off_what_is_behind_them),
+		gl_test(planes_that_are_none_are_refused),
 		gl_test(front_faces_turn_as_asked_for_on_either_origin),
 		gl_test(a_face_without_normals_looks_where_its_front_is),
 		gl_test(the_origin_turns_the_picture_over),

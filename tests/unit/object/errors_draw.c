@@ -48,6 +48,11 @@ static int light_of_a_later_version(void)
 	return accel_state_set_light(test.state, 0, &light.now);
 }
 
+static int clip_plane_number_six(void)
+{
+	return accel_state_set_clip_plane(test.state, ACCEL_USER_CLIP_PLANES, NULL);
+}
+
 static int line_of_no_size(void)
 {
 	return accel_state_set_line_style(test.state, &(struct accel_line_style){ .width = 1 });
@@ -223,6 +228,7 @@ const struct reached errors_draw[] = {
 	{ "accel_state_set_light", -EINVAL, light_number_eight },
 	{ "accel_state_set_material", -E2BIG, material_of_a_later_version },
 	{ "accel_state_set_light", -E2BIG, light_of_a_later_version },
+	{ "accel_state_set_clip_plane", -EINVAL, clip_plane_number_six },
 	{ "accel_state_set_line_style", -EINVAL, line_of_no_size },
 	{ "accel_state_set_line_style", -E2BIG, line_of_a_later_version },
 	{ "accel_state_set_point_style", -EINVAL, point_of_no_size },
