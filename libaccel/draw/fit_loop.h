@@ -60,7 +60,7 @@ LOOP_INLINE void loop_small_plane(struct accel_fit_batch *batch, int i)
 					   GLOSS_DEPTH_COMPACT_SHIFT;
 		int32_t x = (dx + (1 << (shift - 1))) & -(1 << shift);
 		int32_t y = (dy + (1 << (shift - 1))) & -(1 << shift);
-		int32_t large = ((x ^ x >> 31) | (y ^ y >> 31)) >> (shift + SMALL_DEPTH_BITS - 1);
+		int32_t large = ((x ^ -(x < 0)) | (y ^ -(y < 0))) >> (shift + SMALL_DEPTH_BITS - 1);
 		int32_t fits = -(int32_t)(large == 0);
 
 		rounded_dx = (x & fits) | (rounded_dx & ~fits);

@@ -20,7 +20,7 @@ LOOP_INLINE uint32_t loop_round(uint32_t value, unsigned int shift)
 
 LOOP_INLINE uint32_t loop_magnitude(uint32_t value)
 {
-	return value ^ (uint32_t)((int32_t)value >> 31);
+	return value ^ -(value >> 31);
 }
 
 LOOP_INLINE uint32_t loop_choose_word(uint32_t mask, uint32_t a, uint32_t b)

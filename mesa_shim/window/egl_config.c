@@ -200,6 +200,7 @@ EGLBoolean gloss_egl_choose_config(EGLDisplay dpy, const EGLint *wanted, EGLConf
 				   EGLint size, EGLint *count)
 {
 	const struct gloss_config *list[GLOSS_CONFIGS];
+	int found;
 
 	if (!gloss_egl_ready(dpy))
 		return EGL_FALSE;
@@ -209,19 +210,22 @@ EGLBoolean gloss_egl_choose_config(EGLDisplay dpy, const EGLint *wanted, EGLConf
 		if (!config_attribute(pair[0]))
 			return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 	}
-	return config_give(list, config_list(dpy, wanted, list), configs, size, count);
+	found = config_list(dpy, wanted, list);
+	return config_give(list, found, configs, size, count);
 }
 
 EGLBoolean gloss_egl_get_configs(EGLDisplay dpy, EGLConfig *configs, EGLint size, EGLint *count)
 {
 	static const EGLint all[] = { EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE };
 	const struct gloss_config *list[GLOSS_CONFIGS];
+	int found;
 
 	if (!gloss_egl_ready(dpy))
 		return EGL_FALSE;
 	if (!count)
 		return gloss_egl_result(EGL_BAD_PARAMETER);
-	return config_give(list, config_list(dpy, all, list), configs, size, count);
+	found = config_list(dpy, all, list);
+	return config_give(list, found, configs, size, count);
 }
 
 const struct gloss_config *gloss_egl_config(struct egl_display *display, EGLConfig config)
