@@ -100,11 +100,29 @@ static void emit_lighting(struct gloss_context *context, struct accel_state *sta
 		emit_light(state, i, &lighting->light[i]);
 }
 
+static void emit_line_and_point(const struct gloss_context *context, struct accel_state *state)
+{
+	const struct gloss_line *line = &context->attributes.line;
+	const struct gloss_point *point = &context->attributes.point;
+	const struct accel_line_style line_style = ACCEL_LINE_STYLE(
+			.width = line->width,
+			.stipple = line->stipple ? (uint16_t)line->pattern : 0,
+			.repeat = (uint16_t)line->repeat);
+	const struct accel_point_style point_style = ACCEL_POINT_STYLE(
+			.width = point->size, .least = point->least, .most = point->most,
+			.attenuation = { point->attenuation[0], point->attenuation[1],
+					 point->attenuation[2] });
+
+	accel_state_set_line_style(state, &line_style);
+	accel_state_set_point_style(state, &point_style);
+}
+
 static void emit_raster(struct gloss_context *context, struct accel_state *state)
 {
 	const struct gloss_polygon *polygon = &context->attributes.polygon;
 	bool back = polygon->cull_face == GL_BACK;
 
+	emit_line_and_point(context, state);
 	accel_state_set_front_face(state, polygon->front_face == GL_CW);
 	if (!polygon->cull || polygon->cull_face == GL_FRONT_AND_BACK)
 		accel_state_set_cull(state, ACCEL_CULL_NONE);

@@ -46,23 +46,6 @@ static void attributes_init_lighting(struct gloss_lighting *lighting)
 	memcpy(lighting->light[0].specular, white, sizeof(white));
 }
 
-static void attributes_init_unit(struct gloss_unit *unit)
-{
-	*unit = (struct gloss_unit){
-		.mode = GL_MODULATE,
-		.combine = { GL_MODULATE, GL_MODULATE },
-		.source = { { GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT },
-			    { GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT } },
-		.operand = { { GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA },
-			     { GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA } },
-		.scale = { 1, 1 },
-	};
-	for (int i = 0; i < 4; i++)
-		unit->texgen[i].mode = GL_EYE_LINEAR;
-	for (int i = 0; i < 2; i++)
-		unit->texgen[i].object[i] = unit->texgen[i].eye[i] = 1;
-}
-
 static void attributes_init_current(struct gloss_attributes *attributes)
 {
 	attributes->current = (struct gloss_current){
@@ -77,10 +60,8 @@ static void attributes_init_current(struct gloss_attributes *attributes)
 		.index = 1,
 		.valid = GL_TRUE,
 	};
-	for (int i = 0; i < GLOSS_UNITS; i++) {
+	for (int i = 0; i < GLOSS_UNITS; i++)
 		attributes->current.texcoord[i][3] = attributes->raster.texcoord[i][3] = 1;
-		attributes_init_unit(&attributes->texturing.unit[i]);
-	}
 }
 
 static void attributes_init_fragments(struct gloss_attributes *attributes)

@@ -123,18 +123,9 @@ struct gloss_hints {
 	GLenum perspective, point, line, polygon, fog, mipmap, compression;
 };
 
-struct gloss_texgen {
-	GLenum mode;
-	GLfloat object[4], eye[4];
-};
-
 struct gloss_unit {
 	GLint bound[4]; /* names: 1D, 2D, 3D, cube map */
 	GLboolean enabled[4], generate[4];
-	GLenum mode, combine[2], source[2][3], operand[2][3];
-	GLfloat colour[4], scale[2], lod_bias;
-	GLboolean replace;
-	struct gloss_texgen texgen[4];
 };
 
 struct gloss_texturing {

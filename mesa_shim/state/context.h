@@ -86,7 +86,7 @@ struct gloss_context {
 	struct gloss_surface *draw_surface, *read_surface;
 	struct accel_target *target; /* of the frame that was begun; NULL: none was */
 	int width, height;           /* of the surface that is drawn on */
-	bool bound_before, front_drawn;
+	bool bound_before;
 	uint32_t told; /* bits of what GLOSS_DEBUG=perf has named */
 	bool tell;
 	struct gloss_read_cache cache;

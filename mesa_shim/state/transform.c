@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* Viewport, depth range and clip planes. */
+/* Viewport, depth range, clip planes, and the texture unit that commands are about. */
 #include <math.h>
 #include <string.h>
 
@@ -61,4 +61,12 @@ void gl_GetClipPlane(GLenum plane, GLdouble *equation)
 
 	for (int i = 0; at && i < 4; i++)
 		equation[i] = (GLdouble)at[i];
+}
+
+GLOSS_LISTED1(ActiveTexture, GLenum, texture)
+{
+	if (texture - GL_TEXTURE0 < GLOSS_UNITS)
+		context->attributes.texturing.active = (GLint)(texture - GL_TEXTURE0);
+	else
+		gloss_error(context, GL_INVALID_ENUM);
 }

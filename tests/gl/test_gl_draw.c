@@ -406,6 +406,36 @@ static void culled_faces_are_not_drawn(void **state)
 	assert_int_equal(gl_pixel(52, 4), BLACK);
 }
 
+static void lines_and_points_have_widths(void **state)
+{
+	(void)state;
+	glLineWidth(3);
+	glPointSize(4);
+	glBegin(GL_LINES);
+	glVertex2f(0, 10.5f);
+	glVertex2f(40, 10.5f);
+	glEnd();
+	glBegin(GL_POINTS);
+	glVertex2i(20, 30);
+	glEnd();
+	glLineWidth(1);
+	glLineStipple(1, 0x00ff);
+	glEnable(GL_LINE_STIPPLE);
+	glBegin(GL_LINES);
+	glVertex2f(0, 50.5f);
+	glVertex2f(16, 50.5f);
+	glEnd();
+	assert_int_equal(gl_pixel(20, 9), WHITE);
+	assert_int_equal(gl_pixel(20, 11), WHITE);
+	assert_int_equal(gl_pixel(20, 8), BLACK);
+	assert_int_equal(gl_pixel(20, 12), BLACK);
+	assert_int_equal(gl_pixel(18, 28), WHITE);
+	assert_int_equal(gl_pixel(21, 31), WHITE);
+	assert_int_equal(gl_pixel(22, 32), BLACK);
+	assert_int_equal(gl_pixel(4, 50), WHITE);
+	assert_int_equal(gl_pixel(12, 50), BLACK);
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void)
@@ -429,6 +459,7 @@ int main(void)
 		TEST(pixels_are_read_in_each_form),
 		TEST(a_bitmap_is_at_the_raster_position),
 		TEST(culled_faces_are_not_drawn),
+		TEST(lines_and_points_have_widths),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
