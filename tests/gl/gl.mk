@@ -5,11 +5,21 @@
 GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=gloss \
 	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: vblank_mode=0
 
-GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_draw test_gl_array
+GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_draw test_gl_array test_gl_api
 GL_TESTS := $(GL_EGL_TESTS) test_glx
 GL_PROGRAMS := $(GL_TESTS:%=$(BUILD)/tests/gl/%)
 $(GL_PROGRAMS): private LIBS := -lcmocka -lEGL -lGL -lX11 -lxcb -pthread
 $(GL_PROGRAMS): $(BUILD)/tests/gl/gl_display.o
+
+# Its calls are generated, and it asks the table of commands which of them there are.
+GL_CALLS := $(BUILD)/generated/api_calls.inc
+$(GL_CALLS): tests/gl/api_calls mesa_shim/api/commands.h
+	@mkdir -p $(@D)
+	$(Q)$^ >$@
+FLAGS_tests/gl/test_gl_api.c = -Imesa_shim -I$(BUILD)/generated
+$(BUILD)/tests/gl/test_gl_api.o: $(GL_CALLS)
+$(BUILD)/tests/gl/test_gl_api: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
+$(BUILD)/tests/gl/test_gl_api: private LIBS := -lcmocka -lEGL -lGL $(GL_LIBS) $(ACCEL_LIBS)
 
 $(GL_EGL_TESTS:%=run-%): run-%: $(BUILD)/tests/gl/% $(GL_FILES)
 	$(call quiet,TEST,$*)
@@ -44,10 +54,13 @@ gl-gears: $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(BUILD)/tests/gl/still_clock.so
 	$(call quiet,TEST,gl-gears)
 	$(Q)tests/gl/with_xvfb 24 tests/gl/gears $(BUILD)/tests/gl/gears
 
-# The device stays to the end, and with it threads, whose stacks look lost to valgrind.
+# The device stays to the end, and with it threads, whose stacks look lost to valgrind. Random calls are
+# not among them: they draw flat triangles, whose surfaces are unset and masked away in batches, and
+# valgrind does not see through that.
+GL_VALGRIND_TESTS := $(filter-out test_gl_api,$(GL_EGL_TESTS))
 .PHONY: gl-valgrind
-gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EGL under valgrind
-	$(Q)for test in $(GL_EGL_TESTS); do \
+gl-valgrind: $(GL_VALGRIND_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EGL under valgrind
+	$(Q)for test in $(GL_VALGRIND_TESTS); do \
 		env -u DISPLAY $(GL_RUN) valgrind -q --error-exitcode=1 --leak-check=full \
 			--show-leak-kinds=definite --errors-for-leak-kinds=definite \
 			$(BUILD)/tests/gl/$$test >/dev/null || exit 1; \
