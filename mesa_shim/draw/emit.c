@@ -25,6 +25,13 @@ static void emit_viewport(struct gloss_context *context, struct accel_state *sta
 		accel_state_set_scissor(state, 0, 0, -1, -1);
 }
 
+static void emit_clip_planes(const struct gloss_transform *transform, struct accel_state *state)
+{
+	for (int i = 0; i < GLOSS_CLIP_PLANES; i++)
+		accel_state_set_clip_plane(state, i,
+					   transform->clip[i] ? transform->plane[i] : NULL);
+}
+
 /* The attenuations of OpenGL may all be 0, which is infinitely bright and 1 to libaccel. */
 static void emit_light(struct accel_state *state, int index, const struct gloss_light *from)
 {
@@ -188,8 +195,10 @@ static void emit_state(struct gloss_context *context)
 		accel_state_set_modelview(state, gloss_matrix_modelview(context)->m);
 	if (dirty & GLOSS_DIRTY_PROJECTION)
 		accel_state_set_projection(state, gloss_matrix_projection(context)->m);
-	if (dirty & GLOSS_DIRTY_VIEWPORT)
+	if (dirty & GLOSS_DIRTY_VIEWPORT) {
 		emit_viewport(context, state);
+		emit_clip_planes(&context->attributes.transform, state);
+	}
 	if (dirty & GLOSS_DIRTY_LIGHTING)
 		emit_lighting(context, state);
 	if (dirty & GLOSS_DIRTY_RASTER)

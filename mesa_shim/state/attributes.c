@@ -3,32 +3,26 @@
 
 #include "state/attributes.h"
 
-#define WHITE              \
-	{                  \
-		1, 1, 1, 1 \
-	}
-#define BLACK              \
-	{                  \
-		0, 0, 0, 1 \
-	}
+#define WHITE 1, 1, 1, 1
+#define BLACK 0, 0, 0, 1
 
 static void attributes_init_lighting(struct gloss_lighting *lighting)
 {
 	static const struct gloss_light light = {
-		.ambient = BLACK,
-		.diffuse = BLACK,
-		.specular = BLACK,
+		.ambient = { BLACK },
+		.diffuse = { BLACK },
+		.specular = { BLACK },
 		.position = { 0, 0, 1, 0 },
 		.direction = { 0, 0, -1 },
 		.cutoff = 180,
 		.attenuation = { 1, 0, 0 },
 	};
-	static const GLfloat white[4] = WHITE;
+	static const GLfloat white[4] = { WHITE };
 	static const struct gloss_material material = {
 		.ambient = { 0.2f, 0.2f, 0.2f, 1 },
 		.diffuse = { 0.8f, 0.8f, 0.8f, 1 },
-		.specular = BLACK,
-		.emission = BLACK,
+		.specular = { BLACK },
+		.emission = { BLACK },
 		.indexes = { 0, 1, 1 },
 	};
 
@@ -49,14 +43,17 @@ static void attributes_init_lighting(struct gloss_lighting *lighting)
 static void attributes_init_current(struct gloss_attributes *attributes)
 {
 	attributes->current = (struct gloss_current){
-		.vertex = { .position = BLACK, .colour = WHITE, .normal = { 0, 0, 1 }, .edge = 1 },
-		.secondary = BLACK,
+		.vertex = { .position = { BLACK },
+			    .colour = { WHITE },
+			    .normal = { 0, 0, 1 },
+			    .edge = 1 },
+		.secondary = { BLACK },
 		.index = 1,
 	};
 	attributes->raster = (struct gloss_raster_position){
-		.position = BLACK,
-		.colour = WHITE,
-		.secondary = BLACK,
+		.position = { BLACK },
+		.colour = { WHITE },
+		.secondary = { BLACK },
 		.index = 1,
 		.valid = GL_TRUE,
 	};
@@ -107,7 +104,7 @@ void gloss_attributes_init(struct gloss_attributes *attributes)
 			     .front_face = GL_CCW,
 			     .mode = { GL_FILL, GL_FILL } },
 		.transfer = { .zoom = { 1, 1 },
-			      .scale = WHITE,
+			      .scale = { WHITE },
 			      .depth_scale = 1,
 			      .read_buffer = GL_BACK },
 		.viewport = { .range = { 0, 1 } },

@@ -436,6 +436,21 @@ static void lines_and_points_have_widths(void **state)
 	assert_int_equal(gl_pixel(12, 50), BLACK);
 }
 
+static void a_clip_plane_cuts(void **state)
+{
+	static const GLdouble right_of_four[4] = { 1, 0, 0, -4 };
+
+	(void)state;
+	glClipPlane(GL_CLIP_PLANE2, right_of_four);
+	glEnable(GL_CLIP_PLANE2);
+	square(0, 0);
+	assert_int_equal(gl_pixel(3, 4), BLACK);
+	assert_int_equal(gl_pixel(4, 4), WHITE);
+	glDisable(GL_CLIP_PLANE2);
+	square(0, 0);
+	assert_int_equal(gl_pixel(3, 4), WHITE);
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void)
@@ -460,6 +475,7 @@ int main(void)
 		TEST(a_bitmap_is_at_the_raster_position),
 		TEST(culled_faces_are_not_drawn),
 		TEST(lines_and_points_have_widths),
+		TEST(a_clip_plane_cuts),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
