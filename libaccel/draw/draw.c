@@ -215,15 +215,16 @@ static int draw_figure(struct accel_draw *draw, struct accel_pass *pass)
 }
 
 /* Points and lines have the light of their vertices, linear between, whatever the shading is. */
-static int draw_strokes(struct accel_draw *draw, struct accel_pass *pass)
+static int draw_strokes(struct accel_draw *draw, const struct accel_pass *given)
 {
-	struct accel_state state = *pass->state;
+	struct accel_state state = *given->state;
+	struct accel_pass pass = *given;
 
 	if (state.shading != ACCEL_SHADING_FLAT)
 		state.shading = ACCEL_SHADING_GOURAUD;
-	pass->state = &state;
-	pass->interpolated = true;
-	return draw_figure(draw, pass);
+	pass.state = &state;
+	pass.interpolated = true;
+	return draw_figure(draw, &pass);
 }
 
 /* @strict: what is not finite is an error. After -ENOMEM the frame is lost. */
