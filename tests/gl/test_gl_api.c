@@ -63,7 +63,7 @@ static int api_integer(struct api *api)
 	static const int odd[] = { -1, INT_MIN, 64, 16 };
 
 	if (api->no_enums || api->plain)
-		return 1;
+		return 3; /* as a size it is good for all arrays */
 	if (!test_below(&api->seed, 8))
 		return odd[test_below(&api->seed, 4)];
 	return (int)test_below(&api->seed, 9);
