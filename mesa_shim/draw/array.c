@@ -69,14 +69,14 @@ enum array_types {
 };
 
 static void array_set(struct gloss_context *context, struct gloss_client_array *array,
-		      unsigned int types, GLint size, GLenum type, GLsizei stride,
+		      unsigned int types, GLint least, GLint size, GLenum type, GLsizei stride,
 		      const void *pointer)
 {
 	if (type < GL_BYTE || type > GL_DOUBLE || !(types & 1u << (type - GL_BYTE))) {
 		gloss_error(context, GL_INVALID_ENUM);
 		return;
 	}
-	if (stride < 0) {
+	if (stride < 0 || size < least || size > 4) {
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
@@ -87,23 +87,12 @@ static void array_set(struct gloss_context *context, struct gloss_client_array *
 	array->buffer = context->client.arrays.array_buffer;
 }
 
-/* The context, if @size is one of @least to 4. */
-static struct gloss_context *array_begin(GLint size, GLint least)
+void gl_VertexPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
 	struct gloss_context *context = gloss_outside();
 
-	if (!context || (size >= least && size <= 4))
-		return context;
-	gloss_error(context, GL_INVALID_VALUE);
-	return NULL;
-}
-
-void gl_VertexPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
-{
-	struct gloss_context *context = array_begin(size, 2);
-
 	if (context)
-		array_set(context, &context->client.arrays.position, ARRAY_SIGNED, size, type,
+		array_set(context, &context->client.arrays.position, ARRAY_SIGNED, 2, size, type,
 			  stride, pointer);
 }
 
@@ -112,26 +101,26 @@ void gl_NormalPointer(GLenum type, GLsizei stride, const void *pointer)
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.normal, ARRAY_SIGNED | ARRAY_BYTE, 3,
+		array_set(context, &context->client.arrays.normal, ARRAY_SIGNED | ARRAY_BYTE, 3, 3,
 			  type, stride, pointer);
 }
 
 void gl_ColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
-	struct gloss_context *context = array_begin(size, 3);
+	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.colour, ARRAY_ALL, size, type, stride,
+		array_set(context, &context->client.arrays.colour, ARRAY_ALL, 3, size, type, stride,
 			  pointer);
 }
 
 void gl_SecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
-	struct gloss_context *context = array_begin(size == 3 ? size : 0, 3);
+	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.secondary, ARRAY_ALL, size, type, stride,
-			  pointer);
+		array_set(context, &context->client.arrays.secondary, ARRAY_ALL, 3, size, type,
+			  stride, pointer);
 }
 
 void gl_FogCoordPointer(GLenum type, GLsizei stride, const void *pointer)
@@ -139,7 +128,7 @@ void gl_FogCoordPointer(GLenum type, GLsizei stride, const void *pointer)
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.fog, ARRAY_REAL, 1, type, stride,
+		array_set(context, &context->client.arrays.fog, ARRAY_REAL, 1, 1, type, stride,
 			  pointer);
 }
 
@@ -148,7 +137,7 @@ void gl_IndexPointer(GLenum type, GLsizei stride, const void *pointer)
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.index, ARRAY_SIGNED | ARRAY_UBYTE, 1,
+		array_set(context, &context->client.arrays.index, ARRAY_SIGNED | ARRAY_UBYTE, 1, 1,
 			  type, stride, pointer);
 }
 
@@ -157,19 +146,19 @@ void gl_EdgeFlagPointer(GLsizei stride, const void *pointer)
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.edge, ARRAY_UBYTE, 1, GL_UNSIGNED_BYTE,
-			  stride, pointer);
+		array_set(context, &context->client.arrays.edge, ARRAY_UBYTE, 1, 1,
+			  GL_UNSIGNED_BYTE, stride, pointer);
 }
 
 void gl_TexCoordPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
-	struct gloss_context *context = array_begin(size, 1);
+	struct gloss_context *context = gloss_outside();
 	struct gloss_arrays *arrays;
 
 	if (!context)
 		return;
 	arrays = &context->client.arrays;
-	array_set(context, &arrays->texcoord[arrays->active], ARRAY_SIGNED, size, type, stride,
+	array_set(context, &arrays->texcoord[arrays->active], ARRAY_SIGNED, 1, size, type, stride,
 		  pointer);
 }
 
@@ -254,7 +243,7 @@ static void array_interleave(struct gloss_context *context, struct gloss_client_
 {
 	array->enabled = size != 0;
 	if (size)
-		array_set(context, array, ARRAY_ALL, size, type, stride,
+		array_set(context, array, ARRAY_ALL, 1, size, type, stride,
 			  (const char *)pointer + offset);
 }
 
@@ -266,8 +255,12 @@ void gl_InterleavedArrays(GLenum format, GLsizei stride, const void *pointer)
 
 	if (!context)
 		return;
-	if (i >= sizeof(array_interleaved) / sizeof(array_interleaved[0]) || stride < 0) {
-		gloss_error(context, stride < 0 ? GL_INVALID_VALUE : GL_INVALID_ENUM);
+	if (i >= sizeof(array_interleaved) / sizeof(array_interleaved[0])) {
+		gloss_error(context, GL_INVALID_ENUM);
+		return;
+	}
+	if (stride < 0) {
+		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
 	arrays = &context->client.arrays;

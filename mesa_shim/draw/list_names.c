@@ -52,10 +52,10 @@ void gl_NewList(GLuint list, GLenum mode)
 	if (!context)
 		return;
 	compiling = &context->compiling;
-	if (!list) {
-		gloss_error(context, GL_INVALID_VALUE);
-	} else if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) {
+	if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) {
 		gloss_error(context, GL_INVALID_ENUM);
+	} else if (!list) {
+		gloss_error(context, GL_INVALID_VALUE);
 	} else if (compiling->list) {
 		gloss_error(context, GL_INVALID_OPERATION);
 	} else {
@@ -160,10 +160,10 @@ void gl_CallLists(GLsizei n, GLenum type, const void *lists)
 
 	if (!context)
 		return;
-	if (n < 0)
-		gloss_error(context, GL_INVALID_VALUE);
-	else if (type < GL_BYTE || type > GL_4_BYTES)
+	if (type < GL_BYTE || type > GL_4_BYTES)
 		gloss_error(context, GL_INVALID_ENUM);
+	else if (n < 0)
+		gloss_error(context, GL_INVALID_VALUE);
 	for (GLsizei i = 0; type >= GL_BYTE && type <= GL_4_BYTES && i < n; i++)
 		gl_CallListOffset(list_offset(type, lists, i));
 }

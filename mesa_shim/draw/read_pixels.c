@@ -71,7 +71,7 @@ void gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum forma
 		if (!context->visual.depth)
 			error = GL_INVALID_OPERATION;
 	}
-	if (width < 0 || height < 0)
+	if (!error && (width < 0 || height < 0))
 		error = GL_INVALID_VALUE;
 	if (error) {
 		gloss_error(context, error);

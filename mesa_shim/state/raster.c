@@ -97,7 +97,7 @@ GLOSS_LISTED2(PointParameterVector, GLenum, pname, struct gloss_vector, value)
 {
 	struct gloss_point *point = &context->attributes.point;
 
-	if (pname != GL_POINT_DISTANCE_ATTENUATION && value.v[0] < 0) {
+	if (pname >= GL_POINT_SIZE_MIN && pname <= GL_POINT_FADE_THRESHOLD_SIZE && value.v[0] < 0) {
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}

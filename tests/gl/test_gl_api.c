@@ -211,8 +211,10 @@ static void enums_that_are_none_are_invalid(void **state)
 }
 
 /* Those with which a program says where its memory is or ends. */
-static const char *const dangerous[] = { "glBindBuffer",        "glPixelStore", "glDrawElements",
-					 "glDrawRangeElements", "glMultiDraw",  NULL };
+static const char *const dangerous[] = { "glArrayElement", "glDrawArrays",
+					 "glBindBuffer",   "glPixelStore",
+					 "glDrawElements", "glDrawRangeElements",
+					 "glMultiDraw",    NULL };
 
 static void any_calls_in_any_order_do_no_harm(void **state)
 {
