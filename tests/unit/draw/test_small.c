@@ -251,9 +251,9 @@ static void records_of_whole_triangles_are_packed_alike(void **state)
 		place.y = small->y0 & ~63;
 		place.first = small->y0;
 		place.end = small->y1;
-		place.row = &f->rounded.setup.row[small->y0 - f->rounded.setup.first];
 		if (f->rounded.setup.end - f->rounded.setup.first > ACCEL_SETUP_ROWS)
 			continue;
+		place.row = &f->rounded.setup.row[small->y0 - f->rounded.setup.first];
 		count = accel_record_small(wanted, &f->rounded, &place);
 		assert_int_equal(accel_small_words(&f->batch, 0, &f->rounded.setup, got), count);
 		assert_memory_equal(got, wanted, count * sizeof(*got));
