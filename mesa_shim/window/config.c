@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "window/config.h"
 
-#define CONFIG(n, a, s, twice)                                                                   \
-	{                                                                                        \
-		.id = n, .red = 8, .green = 8, .blue = 8, .alpha = a, .depth = 24, .stencil = s, \
-		.double_buffered = twice                                                         \
-	}
+#define CONFIG(n, a, s, twice)                                                           \
+	.id = n, .red = 8, .green = 8, .blue = 8, .alpha = a, .depth = 24, .stencil = s, \
+	.double_buffered = twice
 
 /* The most wanted first: a screen with few visuals has them for the first of these. */
 const struct gloss_config gloss_configs[GLOSS_CONFIGS] = {
-	CONFIG(1, 8, 0, true),  CONFIG(2, 8, 0, false), CONFIG(3, 8, 8, true),
-	CONFIG(4, 0, 0, true),  CONFIG(5, 8, 8, false), CONFIG(6, 0, 8, true),
-	CONFIG(7, 0, 0, false), CONFIG(8, 0, 8, false),
+	{ CONFIG(1, 8, 0, true) },  { CONFIG(2, 8, 0, false) }, { CONFIG(3, 8, 8, true) },
+	{ CONFIG(4, 0, 0, true) },  { CONFIG(5, 8, 8, false) }, { CONFIG(6, 0, 8, true) },
+	{ CONFIG(7, 0, 0, false) }, { CONFIG(8, 0, 8, false) },
 };
 
 static int config_rank(const struct gloss_config *config, bool alpha)

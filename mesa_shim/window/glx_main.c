@@ -41,50 +41,47 @@ static const char *glx_extensions_string(Display *dpy, int screen)
 	return glx_server_string(dpy, screen, GLX_EXTENSIONS);
 }
 
-#define PROC(name, function)                      \
-	{                                         \
-		"glX" #name, (gloss_proc)function \
-	}
+#define PROC(name, function) "glX" #name, (gloss_proc)function
 
 /* In the order of strcmp(). */
 static const struct gloss_proc_name glx_procs[] = {
-	PROC(ChooseFBConfig, gloss_glx_choose_fb_config),
-	PROC(ChooseVisual, gloss_glx_choose_visual),
-	PROC(CopyContext, gloss_glx_copy_context),
-	PROC(CreateContext, gloss_glx_create_context),
-	PROC(CreateContextAttribsARB, gloss_glx_create_context_attribs),
-	PROC(CreateGLXPixmap, gloss_glx_create_glx_pixmap),
-	PROC(CreateNewContext, gloss_glx_create_new_context),
-	PROC(CreatePbuffer, gloss_glx_create_pbuffer),
-	PROC(CreatePixmap, gloss_glx_create_pixmap),
-	PROC(CreateWindow, gloss_glx_create_window),
-	PROC(DestroyContext, gloss_glx_destroy_context),
-	PROC(DestroyGLXPixmap, gloss_glx_destroy_drawable),
-	PROC(DestroyPbuffer, gloss_glx_destroy_drawable),
-	PROC(DestroyPixmap, gloss_glx_destroy_drawable),
-	PROC(DestroyWindow, gloss_glx_destroy_drawable),
-	PROC(GetClientString, glx_client_string),
-	PROC(GetConfig, gloss_glx_get_config),
-	PROC(GetFBConfigAttrib, gloss_glx_get_fb_config_attrib),
-	PROC(GetFBConfigs, gloss_glx_get_fb_configs),
-	PROC(GetSelectedEvent, gloss_glx_get_selected_event),
-	PROC(GetSwapIntervalMESA, gloss_glx_get_swap_interval_mesa),
-	PROC(GetVisualFromFBConfig, gloss_glx_get_visual_from_fb_config),
-	PROC(IsDirect, gloss_glx_is_direct),
-	PROC(MakeContextCurrent, gloss_glx_make_context_current),
-	PROC(MakeCurrent, gloss_glx_make_current),
-	PROC(QueryContext, gloss_glx_query_context),
-	PROC(QueryDrawable, gloss_glx_query_drawable),
-	PROC(QueryExtensionsString, glx_extensions_string),
-	PROC(QueryServerString, glx_server_string),
-	PROC(SelectEvent, gloss_glx_select_event),
-	PROC(SwapBuffers, gloss_glx_swap_buffers),
-	PROC(SwapIntervalEXT, gloss_glx_swap_interval_ext),
-	PROC(SwapIntervalMESA, gloss_glx_swap_interval_mesa),
-	PROC(SwapIntervalSGI, gloss_glx_swap_interval_sgi),
-	PROC(UseXFont, gloss_glx_use_x_font),
-	PROC(WaitGL, gloss_glx_wait_gl),
-	PROC(WaitX, gloss_glx_wait_x),
+	{ PROC(ChooseFBConfig, gloss_glx_choose_fb_config) },
+	{ PROC(ChooseVisual, gloss_glx_choose_visual) },
+	{ PROC(CopyContext, gloss_glx_copy_context) },
+	{ PROC(CreateContext, gloss_glx_create_context) },
+	{ PROC(CreateContextAttribsARB, gloss_glx_create_context_attribs) },
+	{ PROC(CreateGLXPixmap, gloss_glx_create_glx_pixmap) },
+	{ PROC(CreateNewContext, gloss_glx_create_new_context) },
+	{ PROC(CreatePbuffer, gloss_glx_create_pbuffer) },
+	{ PROC(CreatePixmap, gloss_glx_create_pixmap) },
+	{ PROC(CreateWindow, gloss_glx_create_window) },
+	{ PROC(DestroyContext, gloss_glx_destroy_context) },
+	{ PROC(DestroyGLXPixmap, gloss_glx_destroy_drawable) },
+	{ PROC(DestroyPbuffer, gloss_glx_destroy_drawable) },
+	{ PROC(DestroyPixmap, gloss_glx_destroy_drawable) },
+	{ PROC(DestroyWindow, gloss_glx_destroy_drawable) },
+	{ PROC(GetClientString, glx_client_string) },
+	{ PROC(GetConfig, gloss_glx_get_config) },
+	{ PROC(GetFBConfigAttrib, gloss_glx_get_fb_config_attrib) },
+	{ PROC(GetFBConfigs, gloss_glx_get_fb_configs) },
+	{ PROC(GetSelectedEvent, gloss_glx_get_selected_event) },
+	{ PROC(GetSwapIntervalMESA, gloss_glx_get_swap_interval_mesa) },
+	{ PROC(GetVisualFromFBConfig, gloss_glx_get_visual_from_fb_config) },
+	{ PROC(IsDirect, gloss_glx_is_direct) },
+	{ PROC(MakeContextCurrent, gloss_glx_make_context_current) },
+	{ PROC(MakeCurrent, gloss_glx_make_current) },
+	{ PROC(QueryContext, gloss_glx_query_context) },
+	{ PROC(QueryDrawable, gloss_glx_query_drawable) },
+	{ PROC(QueryExtensionsString, glx_extensions_string) },
+	{ PROC(QueryServerString, glx_server_string) },
+	{ PROC(SelectEvent, gloss_glx_select_event) },
+	{ PROC(SwapBuffers, gloss_glx_swap_buffers) },
+	{ PROC(SwapIntervalEXT, gloss_glx_swap_interval_ext) },
+	{ PROC(SwapIntervalMESA, gloss_glx_swap_interval_mesa) },
+	{ PROC(SwapIntervalSGI, gloss_glx_swap_interval_sgi) },
+	{ PROC(UseXFont, gloss_glx_use_x_font) },
+	{ PROC(WaitGL, gloss_glx_wait_gl) },
+	{ PROC(WaitX, gloss_glx_wait_x) },
 };
 
 static void *glx_proc_address(const GLubyte *bytes)
@@ -144,10 +141,10 @@ static int dispatch_interval_sgi(int interval)
 
 /* In the order of strcmp(), which is that of enum dispatch. */
 static const struct gloss_proc_name dispatches[DISPATCHES] = {
-	[GET_INTERVAL_MESA] = PROC(GetSwapIntervalMESA, dispatch_get_interval_mesa),
-	[INTERVAL_EXT] = PROC(SwapIntervalEXT, dispatch_interval_ext),
-	[INTERVAL_MESA] = PROC(SwapIntervalMESA, dispatch_interval_mesa),
-	[INTERVAL_SGI] = PROC(SwapIntervalSGI, dispatch_interval_sgi),
+	[GET_INTERVAL_MESA] = { PROC(GetSwapIntervalMESA, dispatch_get_interval_mesa) },
+	[INTERVAL_EXT] = { PROC(SwapIntervalEXT, dispatch_interval_ext) },
+	[INTERVAL_MESA] = { PROC(SwapIntervalMESA, dispatch_interval_mesa) },
+	[INTERVAL_SGI] = { PROC(SwapIntervalSGI, dispatch_interval_sgi) },
 };
 
 static void *glx_dispatch_address(const GLubyte *name)
