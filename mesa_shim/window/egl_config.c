@@ -82,8 +82,9 @@ static EGLint config_size(const struct gloss_config *config, EGLint name)
 		return ACCEL_TARGET_SIZE_MAX;
 	case EGL_MAX_PBUFFER_PIXELS:
 		return ACCEL_TARGET_SIZE_MAX * ACCEL_TARGET_SIZE_MAX;
+	default:
+		return 0;
 	}
-	return 0;
 }
 
 static EGLint config_value(const struct egl_display *display, const struct gloss_config *config,
@@ -113,8 +114,9 @@ static EGLint config_value(const struct egl_display *display, const struct gloss
 		       (display->connection ? EGL_WINDOW_BIT | EGL_PIXMAP_BIT : 0);
 	case EGL_TRANSPARENT_TYPE:
 		return EGL_NONE;
+	default:
+		return config_size(config, name);
 	}
-	return config_size(config, name);
 }
 
 /* What @wanted says of the attribute; the last word counts. */
@@ -151,9 +153,9 @@ static bool config_matches(const struct egl_display *display, const struct gloss
 	case MASK:
 		return (value & want) == want;
 	case IGNORED:
-		break;
+	default:
+		return true;
 	}
-	return true;
 }
 
 static const struct attribute *config_attribute(EGLint name)

@@ -156,8 +156,9 @@ static EGLBoolean context_bind(struct gloss_binding *binding, struct egl_surface
 		return gloss_egl_result(EGL_SUCCESS);
 	case -EACCES:
 		return gloss_egl_result(EGL_BAD_ACCESS);
+	default:
+		return gloss_egl_result(EGL_BAD_ALLOC);
 	}
-	return gloss_egl_result(EGL_BAD_ALLOC);
 }
 
 EGLBoolean gloss_egl_make_current(EGLDisplay dpy, EGLSurface draw, EGLSurface read,

@@ -152,6 +152,8 @@ const char *gloss_egl_query_string(EGLDisplay dpy, EGLint name)
 	case EGL_EXTENSIONS:
 		return "EGL_KHR_create_context EGL_KHR_no_config_context "
 		       "EGL_KHR_surfaceless_context";
+	default:
+		break;
 	}
 	gloss_egl_result(EGL_BAD_PARAMETER);
 	return NULL;

@@ -229,8 +229,9 @@ static bool surface_value(const struct egl_surface *surface, EGLint name, EGLint
 					 EGL_NO_TEXTURE :
 					 0;
 		return true;
+	default:
+		return false;
 	}
-	return false;
 }
 
 EGLBoolean gloss_egl_query_surface(EGLDisplay dpy, EGLSurface handle, EGLint name, EGLint *value)
@@ -256,8 +257,9 @@ EGLBoolean gloss_egl_surface_attrib(EGLDisplay dpy, EGLSurface handle, EGLint na
 	case EGL_MULTISAMPLE_RESOLVE:
 		return gloss_egl_result(value == EGL_MULTISAMPLE_RESOLVE_DEFAULT ? EGL_SUCCESS :
 										   EGL_BAD_MATCH);
+	default:
+		return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 	}
-	return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 }
 
 EGLBoolean gloss_egl_swap_buffers(EGLDisplay dpy, EGLSurface handle)

@@ -82,6 +82,7 @@ EGLBoolean gloss_egl_get_sync_attrib(EGLDisplay dpy, EGLSync sync, EGLint name, 
 	case EGL_SYNC_CONDITION:
 		*value = EGL_SYNC_PRIOR_COMMANDS_COMPLETE;
 		return EGL_TRUE;
+	default:
+		return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 	}
-	return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 }

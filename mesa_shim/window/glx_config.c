@@ -123,8 +123,9 @@ static int config_size(const struct gloss_config *config, int name)
 		return ACCEL_TARGET_SIZE_MAX;
 	case GLX_MAX_PBUFFER_PIXELS:
 		return ACCEL_TARGET_SIZE_MAX * ACCEL_TARGET_SIZE_MAX;
+	default:
+		return 0;
 	}
-	return 0;
 }
 
 static int config_value(const struct gloss_config *config, int name)
@@ -146,8 +147,9 @@ static int config_value(const struct gloss_config *config, int name)
 		return gloss_config_conformant(config) ? GLX_NONE : GLX_NON_CONFORMANT_CONFIG;
 	case GLX_TRANSPARENT_TYPE:
 		return GLX_NONE;
+	default:
+		return config_size(config, name);
 	}
-	return config_size(config, name);
 }
 
 static const struct attribute *config_attribute(int name)
@@ -173,9 +175,9 @@ static bool config_matches(const struct gloss_config *config, int name, int want
 	case EXACT:
 		return value == want;
 	case MASK:
-		break;
+	default:
+		return (value & want) == want;
 	}
-	return (value & want) == want;
 }
 
 /* What pairs @wanted say of an attribute, or its normal. */
@@ -219,7 +221,7 @@ GLXFBConfig *gloss_glx_choose_fb_config(Display *dpy, int screen, const int *wan
 		return NULL;
 	XFree(any);
 	/* For the program to XFree, which is free. */
-	configs = found ? calloc((size_t)found, sizeof(GLXFBConfig)) : NULL;
+	configs = found ? (GLXFBConfig *)calloc((size_t)found, sizeof(GLXFBConfig)) : NULL;
 	if (!configs)
 		return NULL;
 	for (int i = 0; i < found; i++)

@@ -102,8 +102,9 @@ int gloss_glx_query_context(Display *dpy, GLXContext context, int name, int *val
 	case GLX_SCREEN:
 		*value = binding->screen;
 		return Success;
+	default:
+		return GLX_BAD_ATTRIBUTE;
 	}
-	return GLX_BAD_ATTRIBUTE;
 }
 
 Bool gloss_glx_is_direct(Display *dpy, GLXContext context)

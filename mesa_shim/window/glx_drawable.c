@@ -277,6 +277,8 @@ void gloss_glx_query_drawable(Display *dpy, GLXDrawable id, int name, unsigned i
 	case MAX_SWAP_INTERVAL:
 		*value = GLOSS_INTERVAL_MAX;
 		break;
+	default:
+		break;
 	}
 	gloss_surface_unref(surface);
 }

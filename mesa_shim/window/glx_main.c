@@ -19,8 +19,9 @@ static const char *glx_string(int name)
 		return "GLX_ARB_create_context GLX_ARB_get_proc_address GLX_EXT_swap_control "
 		       "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_swap_control "
 		       "GLX_SGI_swap_control";
+	default:
+		return NULL;
 	}
-	return NULL;
 }
 
 static const char *glx_client_string(Display *dpy, int name)
@@ -167,7 +168,7 @@ static Bool glx_screen_supported(Display *dpy, int screen)
 	GLXFBConfig *configs = gloss_glx_get_fb_configs(dpy, screen, &count);
 
 	if (configs)
-		XFree(configs);
+		XFree((void *)configs);
 	return count > 0;
 }
 
