@@ -7,6 +7,7 @@
  * and edge midpoints, in the coordinates u, v of the triangle (0,0) (1,0) (0,1).
  */
 #include <math.h>
+#include <string.h>
 
 #include "draw/kernel.h"
 
@@ -173,6 +174,8 @@ void accel_surface_flat(struct accel_triangle *triangle, const float colour[4])
 {
 	triangle->shading = GLOSS_SHADING_FLAT;
 	triangle->alpha_linear = false;
+	/* Loops over batches read them whatever the shading is. */
+	memset(triangle->channel, 0, sizeof(triangle->channel));
 	for (int i = 0; i < CHANNELS; i++)
 		triangle->constant[i] = surface_constant(colour[i]);
 }

@@ -54,13 +54,10 @@ gl-gears: $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(BUILD)/tests/gl/still_clock.so
 	$(call quiet,TEST,gl-gears)
 	$(Q)tests/gl/with_xvfb 24 tests/gl/gears $(BUILD)/tests/gl/gears
 
-# The device stays to the end, and with it threads, whose stacks look lost to valgrind. Random calls are
-# not among them: they draw flat triangles, whose surfaces are unset and masked away in batches, and
-# valgrind does not see through that.
-GL_VALGRIND_TESTS := $(filter-out test_gl_api,$(GL_EGL_TESTS))
+# The device stays to the end, and with it threads, whose stacks look lost to valgrind.
 .PHONY: gl-valgrind
-gl-valgrind: $(GL_VALGRIND_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EGL under valgrind
-	$(Q)for test in $(GL_VALGRIND_TESTS); do \
+gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EGL under valgrind
+	$(Q)for test in $(GL_EGL_TESTS); do \
 		env -u DISPLAY $(GL_RUN) valgrind -q --error-exitcode=1 --leak-check=full \
 			--show-leak-kinds=definite --errors-for-leak-kinds=definite \
 			$(BUILD)/tests/gl/$$test >/dev/null || exit 1; \
