@@ -43,14 +43,11 @@ static int teardown(void **state)
 }
 
 /* Two squares of eight pixels, at 0 and at 16. */
-#define SQUARES                                                    \
-	{                                                          \
-		0, 0, 8, 0, 8, 8, 0, 8, 16, 0, 24, 0, 24, 8, 16, 8 \
-	}
-static const GLfloat floats[16] = SQUARES;
-static const GLdouble doubles[16] = SQUARES;
-static const GLshort shorts[16] = SQUARES;
-static const GLint ints[16] = SQUARES;
+#define SQUARES 0, 0, 8, 0, 8, 8, 0, 8, 16, 0, 24, 0, 24, 8, 16, 8
+static const GLfloat floats[16] = { SQUARES };
+static const GLdouble doubles[16] = { SQUARES };
+static const GLshort shorts[16] = { SQUARES };
+static const GLint ints[16] = { SQUARES };
 
 static void positions_have_four_types(void **state)
 {
