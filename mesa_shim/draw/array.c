@@ -218,7 +218,7 @@ static const struct {
 	GLint texcoord, colour, position;
 	GLenum colour_type;
 	bool normal;
-	size_t colour_at, normal_at, position_at;
+	GLuint colour_at, normal_at, position_at;
 	GLsizei stride;
 } array_interleaved[] = {
 	{ 0, 0, 2, 0, false, 0, 0, 0, 8 },                  /* V2F */
