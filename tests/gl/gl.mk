@@ -42,17 +42,31 @@ gl-programs: $(GL_FILES) ## glxinfo and eglinfo on the OpenGL vendor library
 	$(call quiet,TEST,gl-programs)
 	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/programs $(BUILD)/tests/gl
 
-# glxgears beside Mesa's softpipe.
-.PHONY: gl-gears
-$(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
-$(BUILD)/tests/gl/still_clock.so: tests/gl/still_clock.c
+# Programs whose pictures are compared. What is preloaded says at its top for what.
+GL_PRELOADS := $(addprefix $(BUILD)/tests/gl/,still_clock.so pixel_light.so)
+$(GL_PRELOADS): $(BUILD)/tests/gl/%.so: tests/gl/%.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -fPIC -shared $< -o $@
-gl-gears: export VENDOR := $(abspath $(GL_FOLDER))
-gl-gears: export TOOLS := $(abspath $(BUILD)/tests/gl)
-gl-gears: $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(BUILD)/tests/gl/still_clock.so ## glxgears as softpipe draws it
+	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -o $@
+$(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
+GL_DRAWING := $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(GL_PRELOADS)
+gl-gears gl-demo gl-picture: export VENDOR := $(abspath $(GL_FOLDER))
+gl-gears gl-demo gl-picture: export TOOLS := $(abspath $(BUILD)/tests/gl)
+
+.PHONY: gl-gears gl-demo gl-picture
+gl-gears: $(GL_DRAWING) ## glxgears as softpipe draws it
 	$(call quiet,TEST,gl-gears)
 	$(Q)tests/gl/with_xvfb 24 tests/gl/gears $(BUILD)/tests/gl/gears
+
+$(BUILD)/examples/teapot: private LIBS := -lglut -lGL
+$(BUILD)/examples/teapot: $(BUILD)/examples/teapot.o
+	$(link)
+gl-demo gl-picture: export TEAPOT := $(abspath $(BUILD)/examples/teapot)
+gl-demo: $(GL_DRAWING) $(BUILD)/examples/teapot ## glxgears and a teapot, Gouraud and adaptive: build/gl-demo/sheet.png
+	$(call quiet,TEST,gl-demo)
+	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --check docs/pictures/opengl.png $(BUILD)/gl-demo
+
+gl-picture: $(GL_DRAWING) $(BUILD)/examples/teapot
+	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --write docs/pictures/opengl.png $(BUILD)/gl-demo
 
 # The device stays to the end, and with it threads, whose stacks look lost to valgrind.
 .PHONY: gl-valgrind
@@ -64,5 +78,6 @@ gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EG
 	done
 
 ifneq ($(GL_FOUND),)
-CHECKS += gl-programs gl-gears gl-valgrind
+CHECKS += gl-programs gl-gears gl-demo gl-valgrind
+pictures: gl-picture
 endif
