@@ -56,6 +56,16 @@ struct accel_rectangle {
  */
 int accel_target_read(struct accel_target *target, enum accel_plane plane,
 		      const struct accel_rectangle *part, void *pixels, size_t pitch);
+/*
+ * Writes the pixels of @plane that are in @part, or all if that is NULL, after all jobs that were
+ * submitted before, and past everything that a state says. Rows lie in @pixels as accel_target_read
+ * puts them there, and are copied. Bits 31:24 of a depth are ignored, and zero on the target. A frame
+ * that is being collected is not on the target: submit what is to be written over first. On return
+ * all is written. After an error other than -EINVAL some rows may have been.
+ * -EINVAL: as accel_target_read. -EIO, -ENODEV.
+ */
+int accel_target_write(struct accel_target *target, enum accel_plane plane,
+		       const struct accel_rectangle *part, const void *pixels, size_t pitch);
 
 /* ---- state: everything a draw depends on but the mesh ---- */
 

@@ -128,6 +128,9 @@ void accel_buffer_busy(struct accel_buffer *buffer, uint64_t sequence);
  * @count is at most 65535. */
 int accel_buffer_read_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
 			   uint32_t count, uint32_t rows, uint32_t *words);
+/* The other way. */
+int accel_buffer_write_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
+			    uint32_t count, uint32_t rows, const uint32_t *words);
 
 /* stream.c */
 /* As accel_stream_new, for copies of the library's own, which are not dumped. */

@@ -102,9 +102,8 @@ static int buffer_emit_write(struct accel_stream *stream, uint32_t slot, uint32_
 	return accel_stream_emit(stream, words, 3 + count);
 }
 
-/* One job; @count at most WRITE_JOB_WORDS. */
-static int buffer_write_job(struct accel_stream *stream, struct accel_buffer *buffer,
-			    uint32_t offset, const uint8_t *data, uint32_t count)
+static int buffer_emit_writes(struct accel_stream *stream, struct accel_buffer *buffer,
+			      uint32_t offset, const uint8_t *data, uint32_t count)
 {
 	int slot = accel_stream_slot(stream, buffer, ACCEL_SLOT_WRITE);
 	int err = slot < 0 ? slot : 0;
@@ -117,6 +116,15 @@ static int buffer_write_job(struct accel_stream *stream, struct accel_buffer *bu
 		data += (size_t)now * 4;
 		count -= now;
 	}
+	return err;
+}
+
+/* One job; @count at most WRITE_JOB_WORDS. */
+static int buffer_write_job(struct accel_stream *stream, struct accel_buffer *buffer,
+			    uint32_t offset, const uint8_t *data, uint32_t count)
+{
+	int err = buffer_emit_writes(stream, buffer, offset, data, count);
+
 	return err ? err : accel_stream_finish(stream, NULL, 0);
 }
 
@@ -142,6 +150,24 @@ int accel_buffer_write(struct accel_buffer *buffer, uint64_t offset, const void 
 		offset += (uint64_t)now * 4;
 		size -= (uint64_t)now * 4;
 	}
+	accel_stream_free(stream);
+	return err;
+}
+
+int accel_buffer_write_rows(struct accel_buffer *buffer, uint64_t offset, uint32_t pitch,
+			    uint32_t count, uint32_t rows, const uint32_t *words)
+{
+	struct accel_stream *stream;
+	int err;
+
+	err = accel_stream_new_copy(buffer->device, &stream);
+	if (err)
+		return err;
+	for (uint32_t row = 0; row < rows && !err; row++)
+		err = buffer_emit_writes(stream, buffer, (uint32_t)offset + row * pitch,
+					 (const uint8_t *)(words + (size_t)row * count), count);
+	if (!err)
+		err = accel_stream_finish(stream, NULL, 0);
 	accel_stream_free(stream);
 	return err;
 }

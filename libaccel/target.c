@@ -5,8 +5,11 @@
 
 #include "draw/content.h"
 
-/* Words that are read by one job: at least a row. */
-#define READ_WORDS 65536u
+/* Words that are read or written by one job: at least a row. */
+#define JOB_WORDS 65536u
+
+/* Bits of a word of depth that are its depth. */
+#define DEPTH_MASK 0xffffffu
 
 static uint32_t target_align(int pixels)
 {
@@ -95,29 +98,78 @@ static int target_check(const struct accel_target *target, enum accel_plane plan
 	return 0;
 }
 
-/* Reads rows that have pixels, as many at a time as one job does. */
-static int target_read_part(struct accel_target *target, struct accel_buffer *buffer,
-			    const struct accel_rectangle *part, uint8_t *pixels, size_t pitch)
+static struct accel_buffer *target_buffer(const struct accel_target *target, enum accel_plane plane)
 {
-	uint32_t width = (uint32_t)part->width, height = (uint32_t)part->height;
-	uint32_t step = READ_WORDS / width < height ? READ_WORDS / width : height;
-	uint64_t offset = (uint64_t)part->y * target->pitch + (uint64_t)part->x * 4;
-	uint32_t *words;
+	return plane == ACCEL_PLANE_COLOUR ? target->colour : target->depth;
+}
+
+/* Rows that are copied together, as many as one job does. */
+struct copy {
+	struct accel_buffer *buffer;
+	uint64_t offset;        /* in it, of the first row */
+	uint32_t pitch;         /* bytes from a row to the next */
+	uint32_t width, height; /* of all rows, which have pixels */
+	uint32_t step;          /* rows of a job */
+	uint32_t *words;        /* of these */
+};
+
+/* -ENOMEM. */
+static int target_copy_init(struct copy *copy, const struct accel_target *target,
+			    enum accel_plane plane, const struct accel_rectangle *part)
+{
+	const uint32_t width = (uint32_t)part->width, height = (uint32_t)part->height;
+
+	*copy = (struct copy){
+		.buffer = target_buffer(target, plane),
+		.offset = (uint64_t)part->y * target->pitch + (uint64_t)part->x * 4,
+		.pitch = target->pitch,
+		.width = width,
+		.height = height,
+		.step = JOB_WORDS / width < height ? JOB_WORDS / width : height,
+	};
+	copy->words = malloc((size_t)width * copy->step * sizeof(*copy->words));
+	return copy->words ? 0 : -ENOMEM;
+}
+
+/* How many rows the job from row @y on has. */
+static uint32_t target_copy_rows(const struct copy *copy, uint32_t y)
+{
+	return copy->height - y < copy->step ? copy->height - y : copy->step;
+}
+
+static int target_read_rows(struct copy *copy, uint8_t *pixels, size_t pitch)
+{
+	const size_t width = copy->width;
 	int err = 0;
 
-	words = malloc((size_t)width * step * sizeof(*words));
-	if (!words)
-		return -ENOMEM;
-	for (uint32_t y = 0; y < height && !err; y += step) {
-		uint32_t rows = height - y < step ? height - y : step;
+	for (uint32_t y = 0; y < copy->height && !err; y += copy->step) {
+		const uint32_t rows = target_copy_rows(copy, y);
 
-		err = accel_buffer_read_rows(buffer, offset + (uint64_t)y * target->pitch,
-					     target->pitch, width, rows, words);
+		err = accel_buffer_read_rows(copy->buffer, copy->offset + (uint64_t)y * copy->pitch,
+					     copy->pitch, copy->width, rows, copy->words);
 		for (uint32_t row = 0; row < rows && !err; row++)
-			memcpy(pixels + (y + row) * pitch, words + (size_t)row * width,
-			       (size_t)width * 4);
+			memcpy(pixels + (y + row) * pitch, copy->words + row * width, width * 4);
 	}
-	free(words);
+	return err;
+}
+
+/* @mask: the bits of a pixel that it has. */
+static int target_write_rows(struct copy *copy, const uint8_t *pixels, size_t pitch, uint32_t mask)
+{
+	const size_t width = copy->width;
+	int err = 0;
+
+	for (uint32_t y = 0; y < copy->height && !err; y += copy->step) {
+		const uint32_t rows = target_copy_rows(copy, y);
+
+		for (uint32_t row = 0; row < rows; row++)
+			memcpy(copy->words + row * width, pixels + (y + row) * pitch, width * 4);
+		for (size_t i = 0; i < rows * width; i++)
+			copy->words[i] &= mask;
+		err = accel_buffer_write_rows(copy->buffer,
+					      copy->offset + (uint64_t)y * copy->pitch, copy->pitch,
+					      copy->width, rows, copy->words);
+	}
 	return err;
 }
 
@@ -125,6 +177,7 @@ int accel_target_read(struct accel_target *target, enum accel_plane plane,
 		      const struct accel_rectangle *part, void *pixels, size_t pitch)
 {
 	const struct accel_rectangle all = { 0, 0, target->width, target->height };
+	struct copy copy;
 	int err;
 
 	if (!part)
@@ -132,7 +185,29 @@ int accel_target_read(struct accel_target *target, enum accel_plane plane,
 	err = target_check(target, plane, part, pitch);
 	if (err || !part->width || !part->height)
 		return err;
-	return target_read_part(target,
-				plane == ACCEL_PLANE_COLOUR ? target->colour : target->depth, part,
-				pixels, pitch);
+	err = target_copy_init(&copy, target, plane, part);
+	if (!err)
+		err = target_read_rows(&copy, pixels, pitch);
+	free(copy.words);
+	return err;
+}
+
+int accel_target_write(struct accel_target *target, enum accel_plane plane,
+		       const struct accel_rectangle *part, const void *pixels, size_t pitch)
+{
+	const struct accel_rectangle all = { 0, 0, target->width, target->height };
+	struct copy copy;
+	int err;
+
+	if (!part)
+		part = &all;
+	err = target_check(target, plane, part, pitch);
+	if (err || !part->width || !part->height)
+		return err;
+	err = target_copy_init(&copy, target, plane, part);
+	if (!err)
+		err = target_write_rows(&copy, pixels, pitch,
+					plane == ACCEL_PLANE_DEPTH ? DEPTH_MASK : UINT32_MAX);
+	free(copy.words);
+	return err;
 }

@@ -139,6 +139,23 @@ static int depth_of_no_board(void)
 	return accel_target_read(test.target, ACCEL_PLANE_DEPTH, NULL, test.pixels, 256);
 }
 
+static int write_a_plane_that_is_none(void)
+{
+	return accel_target_write(test.target, (enum accel_plane)2, NULL, test.pixels, 256);
+}
+
+static int pixels_to_a_board_that_fails(void)
+{
+	fail_board();
+	return accel_target_write(test.target, ACCEL_PLANE_COLOUR, NULL, test.pixels, 256);
+}
+
+static int pixels_to_no_board(void)
+{
+	unplug();
+	return accel_target_write(test.target, ACCEL_PLANE_DEPTH, NULL, test.pixels, 256);
+}
+
 const struct reached errors_memory[] = {
 	{ "accel_device_new", -EIO, write_to_a_board_that_fails }, /* what it says of jobs */
 	{ "accel_buffer_new", -EINVAL, buffer_of_three_bytes },
@@ -157,5 +174,8 @@ const struct reached errors_memory[] = {
 	{ "accel_target_read", -EINVAL, depth_with_an_odd_pitch },
 	{ "accel_target_read", -EIO, depth_of_a_board_that_fails },
 	{ "accel_target_read", -ENODEV, depth_of_no_board },
+	{ "accel_target_write", -EINVAL, write_a_plane_that_is_none },
+	{ "accel_target_write", -EIO, pixels_to_a_board_that_fails },
+	{ "accel_target_write", -ENODEV, pixels_to_no_board },
 	{ .function = NULL },
 };

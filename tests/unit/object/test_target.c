@@ -177,6 +177,66 @@ static void a_rectangle_is_read_alone(void **state)
 	accel_target_free(target);
 }
 
+/* What is written where nothing was, and what beside it stays. */
+static void a_rectangle_is_written_alone(void **state)
+{
+	static const struct accel_rectangle parts[] = {
+		{ 0, 0, 2048, 70 }, { 0, 0, 1, 1 },     { 2047, 69, 1, 1 },
+		{ 63, 63, 2, 3 },   { 7, 5, 1900, 60 }, { 2048, 70, 0, 0 },
+	};
+	static uint32_t pixels[2049 * 71], got[2048 * 70];
+	struct accel_target *target = target_of(*state, 2048, 70);
+
+	for (size_t n = 0; n < 2 * sizeof(parts) / sizeof(parts[0]); n++) {
+		const struct accel_rectangle *part = &parts[n / 2];
+		const enum accel_plane plane = n % 2 ? ACCEL_PLANE_DEPTH : ACCEL_PLANE_COLOUR;
+		const uint32_t mask = n % 2 ? 0xffffff : 0xffffffff;
+		const uint32_t row = (uint32_t)part->width + 1;
+
+		fill(target, n % 2 ? target->depth : target->colour, 1);
+		for (uint32_t i = 0; i < row * (uint32_t)part->height; i++)
+			pixels[i] = pixel_at(i % row, i / row, 3);
+		assert_int_equal(accel_target_write(target, plane, part, pixels, row * 4), 0);
+		assert_int_equal(accel_target_read(target, plane, NULL, got, 2048 * 4), 0);
+		for (uint32_t i = 0; i < 2048 * 70; i++) {
+			const uint32_t x = i % 2048 - (uint32_t)part->x;
+			const uint32_t y = i / 2048 - (uint32_t)part->y;
+			const bool in = x < (uint32_t)part->width && y < (uint32_t)part->height;
+
+			assert_int_equal(got[i], in ? pixel_at(x, y, 3) & mask :
+						      pixel_at(i % 2048, i / 2048, 1));
+		}
+	}
+	accel_target_free(target);
+}
+
+/* What a target's tiles are known to hold is not what was written over them. */
+static void a_clear_after_a_write_is_not_left_out(void **state)
+{
+	struct fixture *fixture = *state;
+	struct accel_target *target = target_of(fixture, 64, 64);
+	const struct accel_clear clear = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR);
+	uint32_t pixel = 0x12345678;
+	struct accel_draw *draw;
+
+	assert_int_equal(accel_draw_new(fixture->device, &draw), 0);
+	for (int i = 0; i < 3; i++) {
+		assert_int_equal(accel_draw_begin(draw, target, &clear), 0);
+		assert_int_equal(accel_draw_finish(draw), 0);
+	}
+	assert_int_equal(accel_target_write(target, ACCEL_PLANE_COLOUR,
+					    &(struct accel_rectangle){ 9, 9, 1, 1 }, &pixel, 4),
+			 0);
+	assert_int_equal(accel_draw_begin(draw, target, &clear), 0);
+	assert_int_equal(accel_draw_finish(draw), 0);
+	assert_int_equal(accel_target_read(target, ACCEL_PLANE_COLOUR,
+					   &(struct accel_rectangle){ 9, 9, 1, 1 }, &pixel, 4),
+			 0);
+	assert_int_equal(pixel, 0);
+	accel_draw_free(draw);
+	accel_target_free(target);
+}
+
 static void only_the_rectangle_is_fetched(void **state)
 {
 	static const struct accel_rectangle part = { 100, 20, 150, 90 };
@@ -280,6 +340,8 @@ int main(void)
 		target_test(surfaces_are_padded_to_whole_tiles),
 		target_test(every_pixel_is_read_at_its_place),
 		target_test(a_rectangle_is_read_alone),
+		target_test(a_rectangle_is_written_alone),
+		target_test(a_clear_after_a_write_is_not_left_out),
 		target_test(only_the_rectangle_is_fetched),
 		target_test(a_rectangle_beside_the_target_is_refused),
 		target_test(a_new_target_is_zero),
