@@ -372,7 +372,7 @@ struct accel_draw_stats {
 	uint64_t clipped;                    /* cut, with a part left that is drawn */
 	uint64_t flat, linear, second_order; /* drawn, after splitting */
 	uint64_t split;                      /* triangles that were split */
-	uint64_t records;                    /* TRIANGLE packets: a triangle in a tile */
+	uint64_t records; /* TRIANGLE packets: a triangle, or a rectangle, in a tile */
 	uint64_t stream_words;
 	uint64_t tiles; /* that the frame took: not those in which it changes nothing */
 };
@@ -406,6 +406,32 @@ int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
  * not known. After -ENOMEM the frame is forgotten, and to be begun again.
  */
 int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *clear);
+
+/*
+ * The same, where the scissor of @state is, and of the colour those channels that its colour mask
+ * has; of the depth test nothing is looked at. If that is the whole target and all channels, it is
+ * accel_draw_clear, and else what each tile that it reaches is drawn with.
+ * -EINVAL, -E2BIG, -ENOMEM: as accel_draw_clear.
+ */
+int accel_draw_clear_masked(struct accel_draw *draw, const struct accel_state *state,
+			    const struct accel_clear *clear);
+
+/* Pixels of one colour and depth, from the top left corner of a target. They may lie anywhere. */
+struct accel_fill {
+	struct accel_rectangle pixels; /* none if its width or height is not above 0 */
+	float rgba[4];                 /* limited to 0..1 */
+	float depth;                   /* 0 to 1 */
+};
+
+/*
+ * Draws @fills rectangles, one after the other, past transform, viewport and light: of @state only
+ * the scissor, the depth test and the colour mask are looked at. Each is exact, and has a record in
+ * every tile that it reaches.
+ * -EINVAL: no frame was begun; a colour that is not finite; a depth outside 0..1. Nothing is drawn
+ * then. After -ENOMEM the frame is forgotten, and to be begun again.
+ */
+int accel_draw_rectangles(struct accel_draw *draw, const struct accel_state *state,
+			  const struct accel_fill *fill, uint32_t fills);
 
 /*
  * Nobody will read what the frame leaves in @planes, of ACCEL_CLEAR_*: the board need not store it,

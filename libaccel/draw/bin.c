@@ -32,7 +32,7 @@ void accel_bin_free(struct accel_bin *bin)
 	free(bin->tile);
 }
 
-static void bin_forget_records(struct accel_bin *bin)
+void accel_bin_forget(struct accel_bin *bin)
 {
 	for (int i = 0; i < bin->columns * bin->rows; i++)
 		bin->tile[i] = (struct accel_tile){ .drawn = false };
@@ -44,7 +44,7 @@ static void bin_forget_records(struct accel_bin *bin)
 
 void accel_bin_reset(struct accel_bin *bin)
 {
-	bin_forget_records(bin);
+	accel_bin_forget(bin);
 	bin->clear.mask = 0;
 	bin->width = bin->height = 0;
 	bin->columns = bin->rows = 0;
@@ -69,7 +69,7 @@ int accel_bin_begin(struct accel_bin *bin, int width, int height)
 	bin->rows = rows;
 	bin->discard = 0;
 	bin->frame++;
-	bin_forget_records(bin);
+	accel_bin_forget(bin);
 	return 0;
 }
 
@@ -180,10 +180,9 @@ uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1)
 	return words[1];
 }
 
-/* Where the target ends inside of a tile there is memory too, so that needs no scissor. */
-static uint32_t bin_tile_scissor(const struct accel_bin *bin, int x, int y)
+uint32_t accel_bin_tile_scissor(const struct accel_bin *bin, const struct accel_bounds *visible,
+				int x, int y)
 {
-	const struct accel_bounds *visible = &bin->visible;
 	int size = bin->tile_size;
 
 	return accel_bin_scissor(
@@ -192,20 +191,25 @@ static uint32_t bin_tile_scissor(const struct accel_bin *bin, int x, int y)
 		visible->y1 == bin->height ? size : number_clamp(visible->y1 - y, 0, size));
 }
 
+void accel_bin_tests(struct accel_tile_state *state, enum accel_compare func, bool write,
+		     const bool mask[4])
+{
+	gloss_depth_state_pack(&state->depth_state, &(struct gloss_depth_state){
+							    .func = (enum gloss_compare)func,
+							    .write = write,
+						    });
+	gloss_colour_mask_pack(&state->colour_mask, &(struct gloss_colour_mask){
+							    .red = mask[0],
+							    .green = mask[1],
+							    .blue = mask[2],
+							    .alpha = mask[3],
+						    });
+}
+
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 		     const struct accel_bounds *visible)
 {
-	gloss_depth_state_pack(&bin->state.depth_state,
-			       &(struct gloss_depth_state){
-				       .func = (enum gloss_compare)state->depth_func,
-				       .write = state->depth_write,
-			       });
-	gloss_colour_mask_pack(&bin->state.colour_mask, &(struct gloss_colour_mask){
-								.red = state->colour_mask[0],
-								.green = state->colour_mask[1],
-								.blue = state->colour_mask[2],
-								.alpha = state->colour_mask[3],
-							});
+	accel_bin_tests(&bin->state, state->depth_func, state->depth_write, state->colour_mask);
 	bin->visible = *visible;
 	bin->states++;
 }
@@ -235,10 +239,18 @@ static uint32_t *bin_record_here(struct accel_bin *bin, struct accel_tile *tile,
 		bin->records += words != NULL;
 		return words;
 	}
-	state.scissor = bin_tile_scissor(bin, x, y);
+	state.scissor = accel_bin_tile_scissor(bin, &bin->visible, x, y);
 	words = bin_record_begin(bin, tile, &state);
 	tile->settled = words ? bin->states : 0;
 	return words;
+}
+
+int accel_bin_begin_record(struct accel_bin *bin, struct accel_tile *tile,
+			   const struct accel_tile_state *state, struct accel_bin_room *room)
+{
+	room->tile = tile;
+	room->words = bin_record_begin(bin, tile, state);
+	return room->words ? 0 : -ENOMEM;
 }
 
 int accel_bin_begin_whole(struct accel_bin *bin, const struct accel_bounds *box,
@@ -253,52 +265,9 @@ int accel_bin_begin_whole(struct accel_bin *bin, const struct accel_bounds *box,
 	return room->words ? 0 : -ENOMEM;
 }
 
-void accel_bin_end_whole(struct accel_bin_room *room, uint32_t words)
+void accel_bin_end_record(struct accel_bin_room *room, uint32_t words)
 {
 	bin_tile_take(room->tile, words);
-}
-
-/* Clears a tile that was drawn on already, by drawing. */
-static int bin_tile_clear(struct accel_bin *bin, struct accel_tile *tile,
-			  const struct accel_tile_clear *clear)
-{
-	bool colour = clear->mask & ACCEL_CLEAR_COLOUR, depth = clear->mask & ACCEL_CLEAR_DEPTH;
-	struct accel_tile_state state;
-	uint32_t *words;
-
-	gloss_depth_state_pack(&state.depth_state, &(struct gloss_depth_state){
-							   .func = GLOSS_COMPARE_ALWAYS,
-							   .write = depth,
-						   });
-	gloss_colour_mask_pack(&state.colour_mask,
-			       &(struct gloss_colour_mask){ colour, colour, colour, colour });
-	state.scissor = accel_bin_scissor(0, 0, bin->tile_size, bin->tile_size);
-	words = bin_record_begin(bin, tile, &state);
-	if (!words)
-		return -ENOMEM;
-	bin_tile_take(tile, accel_record_fill(words, clear->colour, clear->depth));
-	return 0;
-}
-
-int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear)
-{
-	if (clear->mask == (ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH)) {
-		bin_forget_records(bin);
-		bin->clear = *clear;
-		return 0;
-	}
-	for (int i = 0; i < bin->columns * bin->rows; i++) {
-		int err = bin->tile[i].drawn ? bin_tile_clear(bin, &bin->tile[i], clear) : 0;
-
-		if (err)
-			return err;
-	}
-	bin->clear.mask |= clear->mask;
-	if (clear->mask & ACCEL_CLEAR_COLOUR)
-		bin->clear.colour = clear->colour;
-	if (clear->mask & ACCEL_CLEAR_DEPTH)
-		bin->clear.depth = clear->depth;
-	return 0;
 }
 
 /* The rows of a triangle that lie in one row of tiles. */

@@ -64,8 +64,8 @@ void accel_bin_free(struct accel_bin *bin);
 void accel_bin_reset(struct accel_bin *bin);
 /* Sets the size of the target. */
 int accel_bin_begin(struct accel_bin *bin, int width, int height);
-/* After -ENOMEM the records of some tiles may be missing. */
-int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear);
+/* Forgets what was drawn. */
+void accel_bin_forget(struct accel_bin *bin);
 int accel_bin_triangle(struct accel_bin *bin, const struct accel_triangle *triangle);
 
 /* Where the record of a triangle is written that lies in one tile. */
@@ -84,10 +84,14 @@ static inline bool accel_bin_is_whole(const struct accel_bin *bin, const struct 
 	       box->x1 <= visible->x1 && box->y0 >= visible->y0 && box->y1 <= visible->y1;
 }
 
-/* Then: room for its record, and that so many words of it were written. -ENOMEM. */
+/* Then: room for its record. -ENOMEM. */
 int accel_bin_begin_whole(struct accel_bin *bin, const struct accel_bounds *box,
 			  struct accel_bin_room *room);
-void accel_bin_end_whole(struct accel_bin_room *room, uint32_t words);
+/* Room for a record of a tile that is drawn with a state of its own. -ENOMEM. */
+int accel_bin_begin_record(struct accel_bin *bin, struct accel_tile *tile,
+			   const struct accel_tile_state *state, struct accel_bin_room *room);
+/* So many words of the record were written. */
+void accel_bin_end_record(struct accel_bin_room *room, uint32_t words);
 
 /*
  * @part takes triangles that @bin is to have after its own, perhaps in another thread. Append moves
@@ -98,12 +102,32 @@ int accel_bin_part_begin(struct accel_bin *part, const struct accel_bin *bin);
 int accel_bin_append(struct accel_bin *bin, struct accel_bin *part);
 /* The word of a scissor packet. */
 uint32_t accel_bin_scissor(int x0, int y0, int x1, int y1);
+/*
+ * The same, for what of @visible is in the tile at pixel @x, @y. Where the target ends inside of a
+ * tile there is memory too, so that needs no scissor.
+ */
+uint32_t accel_bin_tile_scissor(const struct accel_bin *bin, const struct accel_bounds *visible,
+				int x, int y);
+/* The words of @state but its scissor. */
+void accel_bin_tests(struct accel_tile_state *state, enum accel_compare func, bool write,
+		     const bool mask[4]);
 /* Packets that turn one state into another; returns their words. */
 uint32_t accel_bin_packets(uint32_t words[ACCEL_STATE_WORDS], const struct accel_tile_state *now,
 			   const struct accel_tile_state *state);
 /* What the triangles that follow are drawn with, and where. */
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 		     const struct accel_bounds *visible);
+
+/* ---- fill.c ---- */
+
+/* Clears the whole target. After -ENOMEM the records of some tiles may be missing. */
+int accel_bin_clear(struct accel_bin *bin, const struct accel_tile_clear *clear);
+/*
+ * Draws pixels @box of the target, of which there are some, with a colour (as a colour surface's
+ * word) and a depth. The scissor of @state is not looked at. -ENOMEM.
+ */
+int accel_bin_fill(struct accel_bin *bin, const struct accel_bounds *box,
+		   const struct accel_tile_state *state, uint32_t colour, uint32_t depth);
 
 /* ---- frame.c ---- */
 

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: MIT
 /* The draw calls of accel_draw.h: what they take, and when a frame begins and ends. */
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 
 #include "draw/content.h"
-#include "draw/slices.h"
-
-struct accel_draw {
-	struct accel_device *device;
-	struct accel_stream *stream;
-	struct accel_bin bin;
-	struct accel_target target;    /* of this frame, a reference to each of its parts */
-	bool has_target;               /* a frame was begun */
-	struct accel_draw_stats stats; /* of this frame, or the one before */
-	struct accel_slices slices; /* of a mesh; memory and threads are kept from mesh to mesh */
-};
+#include "draw/draw.h"
 
 int accel_draw_new(struct accel_device *device, struct accel_draw **out)
 {
@@ -54,8 +43,7 @@ static void draw_frame_empty(struct accel_draw *draw)
 	draw->has_target = false;
 }
 
-/* Forgets it, and what was counted. */
-static void draw_frame_lose(struct accel_draw *draw)
+void accel_draw_lose(struct accel_draw *draw)
 {
 	draw_frame_empty(draw);
 	draw->stats = (struct accel_draw_stats){ 0 };
@@ -73,62 +61,7 @@ void accel_draw_free(struct accel_draw *draw)
 	free(draw);
 }
 
-static uint32_t draw_colour_word(const float rgba[4])
-{
-	uint32_t word = 0;
-
-	for (int i = 0; i < 4; i++) {
-		float value = rgba[i] < 0 ? 0 : rgba[i] > 1 ? 1 : rgba[i];
-
-		word |= (uint32_t)(value * 255 + 0.5f) << 8 * i;
-	}
-	return word;
-}
-
-static bool draw_clear_valid(const struct accel_clear *clear)
-{
-	const float *rgba = clear->rgba;
-	bool valid = clear->mask && !(clear->mask & ~(ACCEL_CLEAR_COLOUR | ACCEL_CLEAR_DEPTH));
-
-	if (clear->mask & ACCEL_CLEAR_COLOUR)
-		valid = valid && isfinite(rgba[0]) && isfinite(rgba[1]) && isfinite(rgba[2]) &&
-			isfinite(rgba[3]);
-	if (clear->mask & ACCEL_CLEAR_DEPTH)
-		valid = valid && clear->depth >= 0 && clear->depth <= 1;
-	return valid;
-}
-
-/* A clear as tiles have it; without a bit in its mask if @given is NULL. */
-static int draw_clear_take(struct accel_draw *draw, const struct accel_clear *given,
-			   struct accel_tile_clear *clear)
-{
-	struct accel_clear known;
-	int err = given ? accel_sized_in(&known, sizeof(known), given) : 0;
-
-	*clear = (struct accel_tile_clear){ .mask = 0 };
-	if (err) {
-		accel_sized_message(draw->device, "clear", "ACCEL_CLEAR", err);
-		return err;
-	}
-	if (!given)
-		return 0;
-	if (!draw_clear_valid(&known)) {
-		accel_device_message(draw->device,
-				     "a clear of mask %u: a colour has four finite "
-				     "numbers, a depth is 0 to 1",
-				     known.mask);
-		return -EINVAL;
-	}
-	clear->mask = known.mask;
-	if (known.mask & ACCEL_CLEAR_COLOUR)
-		clear->colour = draw_colour_word(known.rgba);
-	if (known.mask & ACCEL_CLEAR_DEPTH)
-		clear->depth = (uint32_t)((double)known.depth * ACCEL_DEPTH_MAX + 0.5);
-	return 0;
-}
-
-/* -EINVAL, and a message that says what is missing before @what. */
-static int draw_check_begun(const struct accel_draw *draw, const char *what)
+int accel_draw_check_begun(const struct accel_draw *draw, const char *what)
 {
 	if (draw->has_target)
 		return 0;
@@ -136,20 +69,11 @@ static int draw_check_begun(const struct accel_draw *draw, const char *what)
 	return -EINVAL;
 }
 
-static int draw_bin_clear(struct accel_draw *draw, const struct accel_tile_clear *clear)
-{
-	int err = clear->mask ? accel_bin_clear(&draw->bin, clear) : 0;
-
-	if (err)
-		draw_frame_lose(draw);
-	return err;
-}
-
 int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
 		     const struct accel_clear *given)
 {
 	struct accel_tile_clear clear;
-	int err = draw_clear_take(draw, given, &clear);
+	int err = accel_draw_clear_take(draw, given, &clear);
 
 	if (err)
 		return err;
@@ -161,30 +85,20 @@ int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
 	accel_buffer_ref(target->colour);
 	accel_buffer_ref(target->depth);
 	accel_content_ref(target->content);
-	draw_frame_lose(draw);
+	accel_draw_lose(draw);
 	draw->target = *target;
 	draw->has_target = true;
 	err = accel_bin_begin(&draw->bin, target->width, target->height);
 	if (err) {
-		draw_frame_lose(draw);
+		accel_draw_lose(draw);
 		return err;
 	}
-	return draw_bin_clear(draw, &clear);
-}
-
-int accel_draw_clear(struct accel_draw *draw, const struct accel_clear *given)
-{
-	struct accel_tile_clear clear;
-	int err = draw_check_begun(draw, "a clear");
-
-	if (!err)
-		err = draw_clear_take(draw, given, &clear);
-	return err ? err : draw_bin_clear(draw, &clear);
+	return accel_draw_clear_all(draw, &clear);
 }
 
 int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 {
-	int err = draw_check_begun(draw, "a discard");
+	int err = accel_draw_check_begun(draw, "a discard");
 
 	if (err)
 		return err;
@@ -263,7 +177,7 @@ static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 							   draw_strokes(draw, &pass);
 	}
 	if (err == -ENOMEM)
-		draw_frame_lose(draw);
+		accel_draw_lose(draw);
 	return err;
 }
 
@@ -286,7 +200,7 @@ static int draw_check_index(const struct accel_draw *draw, const struct accel_me
 int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
 		    const struct accel_mesh *given)
 {
-	int err = draw_check_begun(draw, "a mesh");
+	int err = accel_draw_check_begun(draw, "a mesh");
 	struct accel_primitive primitive;
 	struct accel_elements elements;
 	struct accel_arrays arrays;
@@ -321,7 +235,7 @@ int accel_draw_arrays(struct accel_draw *draw, const struct accel_state *state,
 		      const struct accel_arrays *given_arrays,
 		      const struct accel_elements *given_elements)
 {
-	int err = draw_check_begun(draw, "arrays");
+	int err = accel_draw_check_begun(draw, "arrays");
 	struct accel_elements elements;
 	struct accel_arrays arrays;
 
@@ -349,7 +263,7 @@ void accel_draw_stats(const struct accel_draw *draw, struct accel_draw_stats *st
 static int draw_send(struct accel_draw *draw, struct accel_fence **fence)
 {
 	bool sent;
-	int err = draw_check_begun(draw, "a submit");
+	int err = accel_draw_check_begun(draw, "a submit");
 
 	if (err)
 		return err;

@@ -3,6 +3,7 @@
  * The stages a triangle passes in the library, from a mesh to the frame's command stream:
  *
  *   draw.c       the calls of accel_draw.h
+ *   clear.c      those for what is drawn in whole pixels
  *   slices.c     a mesh on several threads (slices.h)
  *   arrays.c     what a call is given, and which vertices it needs
  *   primitives.c the triangles of primitives
@@ -28,6 +29,7 @@
  *   record.c     one TRIANGLE packet
  *   record_small.c  one TRIANGLE_SMALL packet
  *   bin.c        records by tile (bin.h)
+ *   fill.c       tiles of one colour
  *   content.c    what the target's tiles are known to hold (content.h)
  *   frame.c      the frame's command stream
  *   number.h     smaller, larger, between
@@ -179,6 +181,10 @@ struct accel_transform {
 	struct accel_window window;
 };
 
+/* Whatever the numbers, the corners stay where the rectangle was, and in order. */
+void accel_geometry_intersect(struct accel_bounds *rectangle, int x, int y, int width, int height);
+/* Leaves of @visible what the state's scissor has. */
+void accel_geometry_scissor(const struct accel_state *state, struct accel_bounds *visible);
 void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,
 			 int width, int height);
 void accel_geometry_clip_space(const struct accel_transform *transform, const float position[4],

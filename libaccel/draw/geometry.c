@@ -78,11 +78,17 @@ static void geometry_intersect_range(int *low, int *high, int start, int size)
 	*low = first;
 }
 
-/* Whatever the numbers, the corners stay where the rectangle was, and in order. */
-static void geometry_intersect(struct accel_bounds *rectangle, int x, int y, int width, int height)
+void accel_geometry_intersect(struct accel_bounds *rectangle, int x, int y, int width, int height)
 {
 	geometry_intersect_range(&rectangle->x0, &rectangle->x1, x, width);
 	geometry_intersect_range(&rectangle->y0, &rectangle->y1, y, height);
+}
+
+void accel_geometry_scissor(const struct accel_state *state, struct accel_bounds *visible)
+{
+	if (state->scissor.width >= 0)
+		accel_geometry_intersect(visible, state->scissor.x, state->scissor.y,
+					 state->scissor.width, state->scissor.height);
 }
 
 static void geometry_window_init(struct accel_window *window, const struct accel_state *state,
@@ -97,12 +103,10 @@ static void geometry_window_init(struct accel_window *window, const struct accel
 		y = state->viewport.y;
 		w = state->viewport.width;
 		h = state->viewport.height > 0 ? state->viewport.height : 0;
-		geometry_intersect(&window->visible, state->viewport.x, state->viewport.y,
-				   state->viewport.width, state->viewport.height);
+		accel_geometry_intersect(&window->visible, state->viewport.x, state->viewport.y,
+					 state->viewport.width, state->viewport.height);
 	}
-	if (state->scissor.width >= 0)
-		geometry_intersect(&window->visible, state->scissor.x, state->scissor.y,
-				   state->scissor.width, state->scissor.height);
+	accel_geometry_scissor(state, &window->visible);
 	window->scale[0] = w / 2;
 	window->scale[1] = state->bottom ? h / 2 : -h / 2;
 	window->scale[2] = ((double)state->depth_far - (double)state->depth_near) / 2;

@@ -103,7 +103,7 @@ static int leaf_bin(struct accel_pass *pass, const struct accel_leaf *leaf,
 		return leaf_bin_any(pass, leaf, batch, i);
 	err = accel_bin_begin_whole(pass->bin, &box, &room);
 	if (!err)
-		accel_bin_end_whole(&room, accel_small_words(batch, i, leaf->setup, room.words));
+		accel_bin_end_record(&room, accel_small_words(batch, i, leaf->setup, room.words));
 	return err;
 }
 

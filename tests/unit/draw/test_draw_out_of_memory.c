@@ -193,6 +193,50 @@ static void a_frame_that_runs_out_of_memory_early_is_forgotten(void **unused)
 	accel_device_free(f.device);
 }
 
+static int draw_rectangle(const struct fixture *f, struct accel_draw *draw)
+{
+	static const struct accel_fill fill = { { 0, 0, 5, 5 }, { 1, 1, 1, 1 }, 0.5f };
+
+	return accel_draw_rectangles(draw, f->state, &fill, 1);
+}
+
+static int clear_under_a_mask(const struct fixture *f, struct accel_draw *draw)
+{
+	const struct accel_clear grey = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR);
+
+	accel_state_set_colour_mask(f->state, true, false, true, true);
+	return accel_draw_clear_masked(draw, f->state, &grey);
+}
+
+static void a_tile_that_finds_no_memory_for_a_rectangle_loses_the_frame(void **unused)
+{
+	static int (*const call[])(const struct fixture *, struct accel_draw *) = {
+		draw_rectangle,
+		clear_under_a_mask,
+	};
+	struct fixture f;
+
+	(void)unused;
+	f.device = device_open("model:tile=32", &f.messages);
+	assert_int_equal(accel_target_new(f.device, SIDE, SIDE, &f.target), 0);
+	f.state = state_shiny(60);
+	for (size_t i = 0; i < sizeof(call) / sizeof(call[0]); i++) {
+		struct accel_draw *draw;
+
+		assert_int_equal(accel_draw_new(f.device, &draw), 0);
+		assert_int_equal(accel_draw_begin(draw, f.target, NULL), 0);
+		calls = 0;
+		failing = 1;
+		assert_int_equal(call[i](&f, draw), -ENOMEM);
+		failing = 0;
+		assert_int_equal(accel_draw_finish(draw), -EINVAL);
+		accel_draw_free(draw);
+	}
+	accel_state_free(f.state);
+	accel_target_free(f.target);
+	accel_device_free(f.device);
+}
+
 static void a_failed_allocation_is_reported_and_leaves_a_draw_that_works(void **unused)
 {
 	struct fixture f;
@@ -225,6 +269,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(a_frame_that_runs_out_of_memory_early_is_forgotten),
+		cmocka_unit_test(a_tile_that_finds_no_memory_for_a_rectangle_loses_the_frame),
 		cmocka_unit_test(a_failed_allocation_is_reported_and_leaves_a_draw_that_works),
 	};
 

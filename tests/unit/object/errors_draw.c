@@ -138,6 +138,29 @@ static int clear_of_a_later_version(void)
 	return accel_draw_clear(test.draw, &later_clear.now);
 }
 
+static int masked_clear_of_no_colour(void)
+{
+	static const struct accel_clear odd = ACCEL_CLEAR(.mask = ACCEL_CLEAR_COLOUR,
+							  .rgba = { NAN });
+
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_clear_masked(test.draw, test.state, &odd);
+}
+
+static int masked_clear_of_a_later_version(void)
+{
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_clear_masked(test.draw, test.state, &later_clear.now);
+}
+
+static int rectangle_behind_the_far_plane(void)
+{
+	static const struct accel_fill far = { { 0, 0, 1, 1 }, { 0, 0, 0, 0 }, 1.5f };
+
+	assert_int_equal(begin_and(NULL), 0);
+	return accel_draw_rectangles(test.draw, test.state, &far, 1);
+}
+
 static int mesh_without_positions(void)
 {
 	assert_int_equal(begin_and(NULL), 0);
@@ -238,6 +261,9 @@ const struct reached errors_draw[] = {
 	{ "accel_draw_clear", -EINVAL, clear_before_a_frame },
 	{ "accel_draw_discard", -EINVAL, discard_before_a_frame },
 	{ "accel_draw_clear", -E2BIG, clear_of_a_later_version },
+	{ "accel_draw_clear_masked", -EINVAL, masked_clear_of_no_colour },
+	{ "accel_draw_clear_masked", -E2BIG, masked_clear_of_a_later_version },
+	{ "accel_draw_rectangles", -EINVAL, rectangle_behind_the_far_plane },
 	{ "accel_draw_mesh", -EINVAL, mesh_without_positions },
 	{ "accel_draw_mesh", -E2BIG, mesh_of_a_later_version },
 	{ "accel_draw_arrays", -EINVAL, arrays_without_positions },

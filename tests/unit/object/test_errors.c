@@ -17,6 +17,8 @@
  * accel_draw_finish -ETIME: test_transport_drm_library.c
  * accel_draw_begin -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_clear -ENOMEM: test_draw_out_of_memory.c
+ * accel_draw_clear_masked -ENOMEM: test_draw_out_of_memory.c
+ * accel_draw_rectangles -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_mesh -ENOMEM: test_draw_out_of_memory.c
  * accel_draw_arrays -ENOMEM: test_draw_out_of_memory.c
  */
