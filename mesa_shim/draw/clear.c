@@ -3,42 +3,14 @@
 #include "draw/emit.h"
 #include "state/command.h"
 
-/* Where a frame can be cleared at once: nothing is masked. */
-static bool clear_is_whole(const struct gloss_context *context, unsigned int mask)
-{
-	const GLboolean *write = context->attributes.colour_buffer.mask;
-
-	if (context->attributes.scissor.test)
-		return false;
-	return !(mask & ACCEL_CLEAR_COLOUR) ||
-	       (write[0] && write[1] && write[2] && (write[3] || !context->visual.alpha));
-}
-
-static void clear_whole(struct gloss_context *context, unsigned int mask)
+static void clear_planes(struct gloss_context *context, unsigned int planes)
 {
 	const GLfloat *rgba = context->attributes.colour_buffer.clear;
-	const struct accel_clear clear = ACCEL_CLEAR(.mask = mask,
-						     .rgba = { rgba[0], rgba[1], rgba[2],
-							       context->visual.alpha ? rgba[3] :
-										       1 },
+	const struct accel_clear clear = ACCEL_CLEAR(.mask = planes,
+						     .rgba = { rgba[0], rgba[1], rgba[2], rgba[3] },
 						     .depth = context->attributes.depth.clear);
-	int err;
 
-	if (!gloss_emit_begin(context))
-		return;
-	gloss_emit_touch(context);
-	err = accel_draw_clear(context->draw, &clear);
-	gloss_error_accel(context, err);
-	if (err)
-		context->target = NULL;
-}
-
-static void clear_rectangle(struct gloss_context *context, bool colour, bool depth)
-{
-	const float whole[1][4] = { { 0, 0, ACCEL_TARGET_SIZE_MAX, ACCEL_TARGET_SIZE_MAX } };
-
-	gloss_emit_rectangles(context, whole, 1, context->attributes.depth.clear,
-			      context->attributes.colour_buffer.clear, false, colour, depth);
+	gloss_emit_clear(context, &clear);
 }
 
 GLOSS_LISTED1(Clear, GLbitfield, mask)
@@ -56,12 +28,8 @@ GLOSS_LISTED1(Clear, GLbitfield, mask)
 	colour = colour && context->attributes.colour_buffer.draw_buffer != GL_NONE;
 	depth = depth && context->attributes.depth.mask && context->visual.depth;
 	planes = (colour ? ACCEL_CLEAR_COLOUR : 0) | (depth ? ACCEL_CLEAR_DEPTH : 0);
-	if (!planes)
-		return;
-	if (clear_is_whole(context, planes))
-		clear_whole(context, planes);
-	else
-		clear_rectangle(context, colour, depth);
+	if (planes)
+		clear_planes(context, planes);
 }
 
 GLOSS_LISTED4(Rectf, GLfloat, x1, GLfloat, y1, GLfloat, x2, GLfloat, y2)

@@ -277,20 +277,10 @@ void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *a
 	emit_result(context, accel_draw_arrays(context->draw, context->state, arrays, elements));
 }
 
-/* From window coordinates to clip space, of the whole target. */
+/* The scissor and the masks for what no vertices draw. */
 static void emit_plain_state(struct gloss_context *context, bool tested, bool colour, bool depth)
 {
-	float window[16] = { 0 };
-
-	window[0] = 2.0f / (float)context->width;
-	window[5] = 2.0f / (float)context->height;
-	window[10] = 2;
-	window[12] = window[13] = window[14] = -1;
-	window[15] = 1;
-	accel_state_set_projection(context->plain, window);
 	emit_viewport(context, context->plain);
-	accel_state_set_viewport(context->plain, 0, 0, -1, -1);
-	accel_state_set_depth_range(context->plain, 0, 1);
 	emit_colour_mask(context, context->plain, colour);
 	if (tested)
 		emit_depth(context, context->plain);
@@ -298,25 +288,35 @@ static void emit_plain_state(struct gloss_context *context, bool tested, bool co
 		accel_state_set_depth(context->plain, ACCEL_COMPARE_ALWAYS, depth);
 }
 
-#define EMIT_QUADS 256u
+#define EMIT_FILLS 256u
 
-static void emit_quads(struct gloss_context *context, const float (*box)[4], uint32_t count,
+static int32_t emit_pixel(float at)
+{
+	const float most = ACCEL_TARGET_SIZE_MAX;
+
+	return (int32_t)ceilf(fminf(fmaxf(at, -most), 2 * most) - 0.5f);
+}
+
+/* The pixels whose centres are in @box. */
+static struct accel_rectangle emit_pixels(const struct gloss_context *context, const float box[4])
+{
+	const int32_t x = emit_pixel(box[0]), y = emit_pixel(box[1]);
+	const int32_t width = emit_pixel(box[2]) - x, height = emit_pixel(box[3]) - y;
+
+	return (struct accel_rectangle){ x, context->height - y - height, width, height };
+}
+
+static void emit_fills(struct gloss_context *context, const float (*box)[4], uint32_t count,
 		       float z, const float rgba[4])
 {
-	float corner[EMIT_QUADS][4][3];
-	const struct accel_arrays arrays = ACCEL_ARRAYS(
-			.vertices = 4 * count, .position = { .data = corner, .components = 3 },
-			.colour = { .data = rgba, .components = 4, .constant = true });
-	const struct accel_primitive quads = { ACCEL_TOPOLOGY_QUADS, 0, 4 * count };
-	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &quads, .primitives = 1);
+	struct accel_fill fill[EMIT_FILLS];
 
-	for (uint32_t i = 0; i < count; i++)
-		for (int j = 0; j < 4; j++) {
-			corner[i][j][0] = box[i][j == 1 || j == 2 ? 2 : 0];
-			corner[i][j][1] = box[i][j >= 2 ? 3 : 1];
-			corner[i][j][2] = z;
-		}
-	emit_result(context, accel_draw_arrays(context->draw, context->plain, &arrays, &elements));
+	for (uint32_t i = 0; i < count; i++) {
+		fill[i].pixels = emit_pixels(context, box[i]);
+		memcpy(fill[i].rgba, rgba, sizeof(fill[i].rgba));
+		fill[i].depth = fminf(fmaxf(z, 0), 1);
+	}
+	emit_result(context, accel_draw_rectangles(context->draw, context->plain, fill, count));
 }
 
 void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4], uint32_t count,
@@ -326,7 +326,24 @@ void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4],
 		return;
 	gloss_emit_touch(context);
 	emit_plain_state(context, tested, colour, depth);
-	for (uint32_t i = 0; i < count && context->target; i += EMIT_QUADS)
-		emit_quads(context, box + i, count - i < EMIT_QUADS ? count - i : EMIT_QUADS, z,
+	for (uint32_t i = 0; i < count && context->target; i += EMIT_FILLS)
+		emit_fills(context, box + i, count - i < EMIT_FILLS ? count - i : EMIT_FILLS, z,
 			   rgba);
+}
+
+void gloss_emit_clear(struct gloss_context *context, const struct accel_clear *given)
+{
+	const GLboolean *mask = context->attributes.colour_buffer.mask;
+	const bool alpha = context->visual.alpha;
+	struct accel_clear clear = *given;
+
+	if (!gloss_emit_begin(context))
+		return;
+	gloss_emit_touch(context);
+	emit_plain_state(context, false, true, false);
+	/* The alpha of a window without is 1 wherever all else is written. */
+	accel_state_set_colour_mask(context->plain, mask[0], mask[1], mask[2],
+				    alpha ? mask[3] : mask[0] && mask[1] && mask[2]);
+	clear.rgba[3] = alpha ? clear.rgba[3] : 1;
+	emit_result(context, accel_draw_clear_masked(context->draw, context->plain, &clear));
 }

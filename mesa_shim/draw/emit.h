@@ -23,5 +23,7 @@ void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *a
  */
 void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4], uint32_t count,
 			   float z, const float rgba[4], bool tested, bool colour, bool depth);
+/* Clears under scissor and colour mask; @clear has a mask that is to be cleared. */
+void gloss_emit_clear(struct gloss_context *context, const struct accel_clear *clear);
 
 #endif

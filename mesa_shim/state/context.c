@@ -47,7 +47,6 @@ static bool context_init(struct gloss_context *context, struct gloss_context *sh
 	if (accel_state_new(&context->state) || accel_state_new(&context->plain) ||
 	    accel_draw_new(context->device, &context->draw))
 		return false;
-	accel_state_set_shading(context->plain, ACCEL_SHADING_FLAT);
 	gloss_attributes_init(&context->attributes);
 	gloss_client_init(&context->client);
 	gloss_matrices_init(&context->matrices);
