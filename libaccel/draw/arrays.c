@@ -190,6 +190,9 @@ int accel_arrays_check(struct accel_pass *pass)
 
 int accel_arrays_begin(struct accel_pass *pass, struct accel_gather *gather)
 {
+	pass->base = 0;
+	pass->gather = NULL;
+	pass->triangles = 0;
 	if (!pass->strict)
 		return arrays_need(pass, gather);
 	pass->vertices = pass->arrays->vertices;

@@ -146,7 +146,7 @@ static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		    const struct accel_arrays *arrays, const struct accel_elements *elements,
 		    bool strict)
 {
-	struct accel_pass whole = {
+	struct accel_pass pass = {
 		.device = draw->device,
 		.state = state,
 		.arrays = arrays,
@@ -160,11 +160,9 @@ static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		.stats = &draw->stats,
 	};
 	struct accel_elements part = *elements;
-	int err = accel_arrays_check(&whole);
+	int err = accel_arrays_check(&pass);
 
 	for (uint32_t i = 0; i < elements->primitives && !err; i += part.primitives) {
-		struct accel_pass pass = whole;
-
 		part.primitive = &elements->primitive[i];
 		pass.elements = &part;
 		pass.figure = accel_primitives_figure(part.primitive->topology);

@@ -68,8 +68,9 @@ static void face_vertices(const struct accel_pass *pass, int side)
 {
 	const struct accel_group *group = pass->group;
 	const int batch = accel_pass_shares(pass) ? ACCEL_BATCH : OWN_BATCH;
-	struct vertices list = { .count = 0 };
+	struct vertices list;
 
+	list.count = 0;
 	for (uint32_t i = 0; i < group->vertices; i++) {
 		if (group->link[i].index == ACCEL_NONE || group->link[i].side != side)
 			continue;
@@ -78,7 +79,8 @@ static void face_vertices(const struct accel_pass *pass, int side)
 		if (list.count == batch)
 			face_vertices_flush(pass, &list, side);
 	}
-	face_vertices_flush(pass, &list, side);
+	if (list.count)
+		face_vertices_flush(pass, &list, side);
 }
 
 /* ---- edges ---- */
@@ -238,10 +240,11 @@ static void face_planes(const struct accel_pass *pass, struct faces *list)
 /* Lights the pixels of faces that have but a few. */
 static void face_light_few(const struct accel_pass *pass, struct accel_face *face, int count)
 {
-	struct accel_patch patch[ACCEL_BATCH] = { 0 };
+	struct accel_patch patch[ACCEL_BATCH];
 	struct accel_few *few[ACCEL_BATCH];
 	int many = 0;
 
+	memset(patch, 0, (size_t)count * sizeof(*patch));
 	for (int i = 0; i < count; i++) {
 		if (!face[i].few.count)
 			continue;
@@ -254,9 +257,10 @@ static void face_light_few(const struct accel_pass *pass, struct accel_face *fac
 
 static void face_decide(const struct accel_pass *pass, struct faces *list)
 {
-	struct accel_patch patch[ACCEL_BATCH] = { 0 };
+	struct accel_patch patch[ACCEL_BATCH];
 	int splits[ACCEL_BATCH], number[ACCEL_BATCH], edged = 0;
 
+	memset(patch, 0, (size_t)list->count * sizeof(*patch));
 	for (int i = 0; i < list->count; i++) {
 		const struct accel_face *face = &list->face[i];
 
@@ -333,6 +337,10 @@ int accel_face_draw_all(struct accel_pass *pass)
 	struct accel_group *group = pass->group;
 	int err = 0;
 
+	if (!group->faces) {
+		accel_group_reset(group);
+		return 0;
+	}
 	accel_group_link(group, accel_pass_shares(pass));
 	for (int side = 0; side <= accel_pass_sides(pass); side++)
 		face_vertices(pass, side);

@@ -124,7 +124,7 @@ static void geometry_planes(struct accel_transform *transform, const struct acce
 {
 	transform->planes = state->clip_planes;
 	for (int n = 0; n < ACCEL_USER_CLIP_PLANES; n++)
-		for (int column = 0; column < 4; column++) {
+		for (int column = 0; column < 4 && state->clip_planes >> n & 1; column++) {
 			double sum = 0;
 
 			for (int row = 0; row < 4; row++)

@@ -144,8 +144,9 @@ static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 {
 	int apex = accel_clip_apex(polygon, corners);
 	uint32_t number[ACCEL_POLYGON_MAX], of_flat;
-	struct accel_seen fan = { .count = 0 };
+	struct accel_seen fan;
 
+	fan.count = 0;
 	for (int i = 0; i < corners; i++) {
 		accel_shading_vertex(pass, &polygon[i].vertex, side);
 		number[i] = accel_group_vertex(pass->group, side);
@@ -281,11 +282,12 @@ static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3],
 
 int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end)
 {
-	struct accel_seen seen = { .count = 0 };
+	struct accel_seen seen; /* large: what is not counted is not set */
 	struct accel_walk walk;
 	uint32_t index[3];
 	int err = 0;
 
+	seen.count = 0;
 	if (first < end)
 		accel_primitives_begin(&walk, pass, first);
 	for (uint64_t i = first; i < end && !err; i++) {
