@@ -163,29 +163,69 @@ static struct gloss_context *array_begin_draw(GLenum mode, GLsizei count)
 	return NULL;
 }
 
-void gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
+static void array_record(GLenum mode, GLint first, GLsizei count)
 {
-	struct gloss_context *context = array_begin_draw(mode, count);
-	const struct accel_primitive primitive = { (enum accel_topology)mode, (uint32_t)first,
-						   (uint32_t)count };
-	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &primitive,
-							      .primitives = 1);
-
-	if (!context)
-		return;
-	if (first < 0 || first > INT32_MAX - count) {
-		gloss_error(context, GL_INVALID_VALUE);
-		return;
-	}
-	if (!context->compiling.list) {
-		gloss_batch_draw(context);
-		array_send(context, &elements, (uint32_t)(first + count));
-		return;
-	}
 	gl_Begin(mode);
 	for (GLint i = first; i < first + count; i++)
 		gl_ArrayElement(i);
 	gl_End();
+}
+
+void gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
+{
+	gl_MultiDrawArrays(mode, &first, &count, 1);
+}
+
+/* Whether there are such vertices. */
+static bool array_ranges_valid(const GLint *first, const GLsizei *count, GLsizei drawcount)
+{
+	for (GLsizei i = 0; i < drawcount; i++)
+		if (first[i] < 0 || count[i] < 0 || first[i] > INT32_MAX - count[i])
+			return false;
+	return true;
+}
+
+#define ARRAY_PRIMITIVES 64
+
+/* Draws up to ARRAY_PRIMITIVES of them. */
+static void array_send_ranges(struct gloss_context *context, GLenum mode, const GLint *first,
+			      const GLsizei *count, GLsizei drawcount)
+{
+	struct accel_primitive primitive[ARRAY_PRIMITIVES];
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = primitive,
+							      .primitives = (uint32_t)drawcount);
+	uint32_t end = 0;
+
+	for (GLsizei i = 0; i < drawcount; i++) {
+		primitive[i] = (struct accel_primitive){ (enum accel_topology)mode,
+							 (uint32_t)first[i], (uint32_t)count[i] };
+		if ((uint32_t)(first[i] + count[i]) > end)
+			end = (uint32_t)(first[i] + count[i]);
+	}
+	array_send(context, &elements, end);
+}
+
+void gl_MultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, GLsizei drawcount)
+{
+	struct gloss_context *context = array_begin_draw(mode, drawcount);
+
+	if (!context)
+		return;
+	if (!array_ranges_valid(first, count, drawcount)) {
+		gloss_error(context, GL_INVALID_VALUE);
+		return;
+	}
+	if (!context->compiling.list)
+		gloss_batch_draw(context);
+	for (GLsizei i = 0, some; i < drawcount; i += some) {
+		some = 1;
+		if (context->compiling.list) {
+			array_record(mode, first[i], count[i]);
+			continue;
+		}
+		some = drawcount - i < ARRAY_PRIMITIVES ? drawcount - i : ARRAY_PRIMITIVES;
+		array_send_ranges(context, mode, first + i, count + i, some);
+	}
 }
 
 static GLuint array_index(GLenum type, const void *indices, GLsizei i)
@@ -255,12 +295,6 @@ void gl_DrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, 
 		gloss_error(context, GL_INVALID_VALUE);
 	else
 		gl_DrawElements(mode, count, type, indices);
-}
-
-void gl_MultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, GLsizei drawcount)
-{
-	for (GLsizei i = 0; i < drawcount; i++)
-		gl_DrawArrays(mode, first[i], count[i]);
 }
 
 void gl_MultiDrawElements(GLenum mode, const GLsizei *count, GLenum type,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <string.h>
+
 #include "draw/batch.h"
 #include "state/command.h"
 
@@ -33,4 +35,13 @@ void gloss_change(struct gloss_context *context, unsigned int dirty)
 {
 	gloss_batch_draw(context);
 	context->dirty |= dirty;
+}
+
+void gloss_assign(struct gloss_context *context, unsigned int dirty, void *member,
+		  const void *value, size_t size)
+{
+	if (!memcmp(member, value, size))
+		return;
+	gloss_change(context, dirty);
+	memcpy(member, value, size);
 }

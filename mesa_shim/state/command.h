@@ -34,6 +34,9 @@ struct gloss_context *gloss_outside_ordered(void);
 
 /* Before state that drawing depends on changes: draws what was collected with the old. */
 void gloss_change(struct gloss_context *context, unsigned int dirty);
+/* The same for a member of @size bytes that becomes @value, and nothing if it is that already. */
+void gloss_assign(struct gloss_context *context, unsigned int dirty, void *member,
+		  const void *value, size_t size);
 
 #define GLOSS_LISTED0(name)                                                         \
 	static void do_##name(struct gloss_context *context);                       \

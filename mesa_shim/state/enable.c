@@ -14,13 +14,36 @@ static GLboolean *enable_find(struct gloss_context *context, GLenum name, enum g
 	return NULL;
 }
 
+/* What libaccel has to be told. */
+static unsigned int enable_dirty(GLenum name)
+{
+	switch (name) {
+	case GL_LIGHTING:
+	case GL_COLOR_MATERIAL:
+	case GL_NORMALIZE:
+	case GL_RESCALE_NORMAL:
+		return GLOSS_DIRTY_LIGHTING;
+	case GL_SCISSOR_TEST:
+		return GLOSS_DIRTY_VIEWPORT;
+	case GL_CULL_FACE:
+	case GL_LINE_STIPPLE:
+		return GLOSS_DIRTY_RASTER;
+	default:
+		if (name - GL_LIGHT0 < GLOSS_LIGHTS)
+			return GLOSS_DIRTY_LIGHTING;
+		if (name - GL_CLIP_PLANE0 < GLOSS_CLIP_PLANES)
+			return GLOSS_DIRTY_VIEWPORT;
+		return GLOSS_DIRTY_FRAGMENT;
+	}
+}
+
 static void enable_set(struct gloss_context *context, GLenum name, GLboolean on)
 {
 	GLboolean *at = enable_find(context, name, GLOSS_CAPABILITY);
 
 	if (!at || *at == on)
 		return;
-	gloss_change(context, GLOSS_DIRTY_ALL & ~(GLOSS_DIRTY_MODELVIEW | GLOSS_DIRTY_PROJECTION));
+	gloss_change(context, enable_dirty(name));
 	if (name == GL_COLOR_MATERIAL)
 		gloss_light_track(context);
 	*at = on;

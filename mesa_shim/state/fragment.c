@@ -22,14 +22,16 @@ GLOSS_LISTED1(DepthFunc, GLenum, func)
 {
 	if (!fragment_is_compare(context, func))
 		return;
-	gloss_change(context, GLOSS_DIRTY_FRAGMENT);
-	context->attributes.depth.func = func;
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &context->attributes.depth.func, &func,
+		     sizeof(func));
 }
 
 GLOSS_LISTED1(DepthMask, GLboolean, flag)
 {
-	gloss_change(context, GLOSS_DIRTY_FRAGMENT);
-	context->attributes.depth.mask = flag != 0;
+	const GLboolean mask = flag != 0;
+
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &context->attributes.depth.mask, &mask,
+		     sizeof(mask));
 }
 
 GLOSS_LISTED1(ClearDepth, GLdouble, depth)
@@ -39,13 +41,10 @@ GLOSS_LISTED1(ClearDepth, GLdouble, depth)
 
 GLOSS_LISTED4(ColorMask, GLboolean, r, GLboolean, g, GLboolean, b, GLboolean, a)
 {
-	GLboolean *mask = context->attributes.colour_buffer.mask;
+	const GLboolean mask[4] = { r != 0, g != 0, b != 0, a != 0 };
 
-	gloss_change(context, GLOSS_DIRTY_FRAGMENT);
-	mask[0] = r != 0;
-	mask[1] = g != 0;
-	mask[2] = b != 0;
-	mask[3] = a != 0;
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, context->attributes.colour_buffer.mask, mask,
+		     sizeof(mask));
 }
 
 static void fragment_set_colour(GLfloat colour[4], GLfloat r, GLfloat g, GLfloat b, GLfloat a)
@@ -88,17 +87,14 @@ GLOSS_LISTED1(IndexMask, GLuint, mask)
 
 GLOSS_LISTED4(Scissor, GLint, x, GLint, y, GLsizei, width, GLsizei, height)
 {
-	GLint *box = context->attributes.scissor.box;
+	const GLint box[4] = { x, y, width, height };
 
 	if (width < 0 || height < 0) {
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_VIEWPORT);
-	box[0] = x;
-	box[1] = y;
-	box[2] = width;
-	box[3] = height;
+	gloss_assign(context, GLOSS_DIRTY_VIEWPORT, context->attributes.scissor.box, box,
+		     sizeof(box));
 }
 
 GLOSS_LISTED2(AlphaFunc, GLenum, func, GLclampf, reference)
@@ -134,11 +130,12 @@ GLOSS_LISTED4(BlendFuncSeparate, GLenum, source, GLenum, target, GLenum, source_
 		gloss_error(context, GL_INVALID_ENUM);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_FRAGMENT);
-	buffer->source = source;
-	buffer->target = target;
-	buffer->source_alpha = source_alpha;
-	buffer->target_alpha = target_alpha;
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &buffer->source, &source, sizeof(source));
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &buffer->target, &target, sizeof(target));
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &buffer->source_alpha, &source_alpha,
+		     sizeof(source_alpha));
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &buffer->target_alpha, &target_alpha,
+		     sizeof(target_alpha));
 }
 
 void gl_BlendFunc(GLenum sfactor, GLenum dfactor)
@@ -174,8 +171,8 @@ GLOSS_LISTED1(LogicOp, GLenum, op)
 		gloss_error(context, GL_INVALID_ENUM);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_FRAGMENT);
-	context->attributes.colour_buffer.logic_op = op;
+	gloss_assign(context, GLOSS_DIRTY_FRAGMENT, &context->attributes.colour_buffer.logic_op,
+		     &op, sizeof(op));
 }
 
 GLOSS_LISTED3(StencilFunc, GLenum, func, GLint, reference, GLuint, mask)

@@ -20,6 +20,12 @@ GLOSS_LISTED1(PushAttrib, GLbitfield, mask)
 	saved->attributes = context->attributes;
 }
 
+/* Vertices that were collected have the current values of their time. */
+static unsigned int push_dirty(const struct gloss_row *row)
+{
+	return row->saved & GL_CURRENT_BIT ? 0 : GLOSS_DIRTY_ALL;
+}
+
 /* All units of a row that has some, whichever is active. */
 static void push_restore(struct gloss_context *context, const struct gloss_attributes *saved,
 			 const struct gloss_row *row)
@@ -29,8 +35,13 @@ static void push_restore(struct gloss_context *context, const struct gloss_attri
 
 	for (uint32_t i = 0; i < units; i++) {
 		uint32_t at = row->offset - base + i * row->stride;
+		char *member = (char *)&context->attributes + at;
 
-		memcpy((char *)&context->attributes + at, (const char *)saved + at, row->count);
+		if (push_dirty(row))
+			gloss_assign(context, push_dirty(row), member, (const char *)saved + at,
+				     row->count);
+		else
+			memcpy(member, (const char *)saved + at, row->count);
 	}
 }
 
@@ -42,7 +53,6 @@ GLOSS_LISTED0(PopAttrib)
 		gloss_error(context, GL_STACK_UNDERFLOW);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_ALL);
 	gloss_light_track(context);
 	saved = &context->saved[--context->saved_count];
 	for (unsigned int i = 0; i < gloss_table_rows; i++)

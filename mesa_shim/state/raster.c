@@ -18,8 +18,8 @@ GLOSS_LISTED1(CullFace, GLenum, mode)
 {
 	if (!raster_is_face(context, mode))
 		return;
-	gloss_change(context, GLOSS_DIRTY_RASTER);
-	context->attributes.polygon.cull_face = mode;
+	gloss_assign(context, GLOSS_DIRTY_RASTER, &context->attributes.polygon.cull_face, &mode,
+		     sizeof(mode));
 }
 
 GLOSS_LISTED1(FrontFace, GLenum, mode)
@@ -28,8 +28,8 @@ GLOSS_LISTED1(FrontFace, GLenum, mode)
 		gloss_error(context, GL_INVALID_ENUM);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_RASTER);
-	context->attributes.polygon.front_face = mode;
+	gloss_assign(context, GLOSS_DIRTY_RASTER, &context->attributes.polygon.front_face, &mode,
+		     sizeof(mode));
 }
 
 GLOSS_LISTED2(PolygonMode, GLenum, face, GLenum, mode)
@@ -62,8 +62,8 @@ GLOSS_LISTED1(ShadeModel, GLenum, mode)
 	}
 	if (context->attributes.lighting.shade_model == mode)
 		return;
-	gloss_change(context, GLOSS_DIRTY_RASTER);
-	context->attributes.lighting.shade_model = mode;
+	gloss_assign(context, GLOSS_DIRTY_RASTER, &context->attributes.lighting.shade_model, &mode,
+		     sizeof(mode));
 }
 
 GLOSS_LISTED1(LineWidth, GLfloat, width)
@@ -72,8 +72,8 @@ GLOSS_LISTED1(LineWidth, GLfloat, width)
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_RASTER);
-	context->attributes.line.width = width;
+	gloss_assign(context, GLOSS_DIRTY_RASTER, &context->attributes.line.width, &width,
+		     sizeof(width));
 }
 
 GLOSS_LISTED2(LineStipple, GLint, factor, GLushort, pattern)
@@ -89,8 +89,8 @@ GLOSS_LISTED1(PointSize, GLfloat, size)
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
-	gloss_change(context, GLOSS_DIRTY_RASTER);
-	context->attributes.point.size = size;
+	gloss_assign(context, GLOSS_DIRTY_RASTER, &context->attributes.point.size, &size,
+		     sizeof(size));
 }
 
 GLOSS_LISTED2(PointParameterVector, GLenum, pname, struct gloss_vector, value)

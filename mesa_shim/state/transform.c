@@ -14,10 +14,8 @@ GLOSS_LISTED4(Viewport, GLint, x, GLint, y, GLsizei, width, GLsizei, height)
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
-	if (!memcmp(box, context->attributes.viewport.box, sizeof(box)))
-		return;
-	gloss_change(context, GLOSS_DIRTY_VIEWPORT);
-	memcpy(context->attributes.viewport.box, box, sizeof(box));
+	gloss_assign(context, GLOSS_DIRTY_VIEWPORT, context->attributes.viewport.box, box,
+		     sizeof(box));
 }
 
 GLOSS_LISTED2(DepthRange, GLdouble, near, GLdouble, far)

@@ -121,6 +121,46 @@ static void indices_have_three_types(void **state)
 	assert_int_equal(glGetError(), GL_INVALID_VALUE);
 }
 
+/* More than a call of the library takes at once: a column of squares for each range. */
+static void many_ranges_are_one_call(void **state)
+{
+	enum { RANGES = 70 };
+	GLfloat square[RANGES][4][2];
+	GLint first[RANGES];
+	GLsizei count[RANGES];
+
+	(void)state;
+	for (int i = 0; i < RANGES; i++) {
+		const GLfloat x = (GLfloat)(i % 35), y = (GLfloat)(i / 35 * 8);
+		const GLfloat corner[4][2] = {
+			{ x, y }, { x + 1, y }, { x + 1, y + 4 }, { x, y + 4 }
+		};
+
+		memcpy(square[i], corner, sizeof(corner));
+		first[i] = 4 * (RANGES - 1 - i);
+		count[i] = i == 35 ? 0 : 4;
+	}
+	glEnableClientState(GL_VERTEX_ARRAY);
+	glVertexPointer(2, GL_FLOAT, 0, square);
+	glMultiDrawArrays(GL_QUADS, first, count, RANGES);
+	assert_int_equal(gl_pixel(0, 9), WHITE);
+	assert_int_equal(gl_pixel(0, 2), WHITE);
+	assert_int_equal(gl_pixel(33, 2), WHITE);
+	assert_int_equal(gl_pixel(34, 2), BLACK);
+	gl_clear(BLACK);
+	count[5] = -1;
+	glMultiDrawArrays(GL_QUADS, first, count, RANGES);
+	assert_int_equal(glGetError(), GL_INVALID_VALUE);
+	assert_int_equal(gl_pixel(0, 9), BLACK);
+	count[5] = 4;
+	glNewList(1, GL_COMPILE);
+	glMultiDrawArrays(GL_QUADS, first, count, RANGES);
+	glEndList();
+	glCallList(1);
+	assert_int_equal(gl_pixel(33, 2), WHITE);
+	assert_int_equal(gl_pixel(34, 2), BLACK);
+}
+
 /* What a list has of arrays is what they were when it was compiled. */
 static void a_list_keeps_arrays(void **state)
 {
@@ -208,6 +248,7 @@ int main(void)
 		TEST(positions_have_four_types),   TEST(colours_of_bytes_are_interleaved),
 		TEST(indices_have_three_types),    TEST(a_list_keeps_arrays),
 		TEST(array_elements_are_vertices), TEST(buffers_hold_arrays_and_indices),
+		TEST(many_ranges_are_one_call),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
