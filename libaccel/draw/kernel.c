@@ -8,6 +8,7 @@ const struct accel_kernel *const accel_kernels[] = {
 	&accel_kernel_baseline,
 #ifdef __x86_64__
 	&accel_kernel_avx2,
+	&accel_kernel_avx512,
 #endif
 	NULL,
 };

@@ -169,7 +169,7 @@ struct accel_kernel {
 
 /* From the plainest on; NULL ends them. */
 extern const struct accel_kernel *const accel_kernels[];
-extern const struct accel_kernel accel_kernel_baseline, accel_kernel_avx2;
+extern const struct accel_kernel accel_kernel_baseline, accel_kernel_avx2, accel_kernel_avx512;
 
 /* The last that runs here, or the one that tests set. Any thread may call it. */
 const struct accel_kernel *accel_kernel(void);
