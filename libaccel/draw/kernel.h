@@ -46,6 +46,24 @@ struct accel_light_batch {
 	float ambient[3][ACCEL_BATCH], diffuse[3][ACCEL_BATCH], specular[3][ACCEL_BATCH];
 };
 
+/* ---- edge_loop.h ---- */
+
+struct accel_edge_batch {
+	/* Of both ends, as in accel_vertex and its sample; lights: those of facing and in_cone. */
+	int32_t x[2][ACCEL_BATCH], y[2][ACCEL_BATCH];
+	float w[2][ACCEL_BATCH], eye[2][3][ACCEL_BATCH], normal[2][3][ACCEL_BATCH];
+	float colour[2][3][ACCEL_BATCH], shine[2][ACCEL_BATCH];
+	float near[2][ACCEL_BATCH], near_lamp[2][ACCEL_BATCH];
+	uint32_t lights[2][ACCEL_BATCH];
+	/* What they tell. */
+	float spread[ACCEL_BATCH]; /* angle of the normals and of what moves, squared */
+	float lamp[ACCEL_BATCH];   /* angle at which a lamp sees the edge, squared */
+	float length[ACCEL_BATCH]; /* on the screen, squared, pixels */
+	float most_shine[ACCEL_BATCH];
+	float bend[ACCEL_BATCH];    /* bound of the middle's distance from the straight line */
+	uint32_t even[ACCEL_BATCH]; /* have both ends the same lights? */
+};
+
 /* ---- pixel_loop.h ---- */
 
 struct accel_pixel_batch {
@@ -155,6 +173,9 @@ struct accel_kernel {
 		      struct accel_light_batch *batch, int count);
 	void (*light_lamp)(const struct accel_lighting *lighting, const struct accel_lamp *lamp,
 			   int side, struct accel_light_batch *batch, int count);
+	/* What the ends of @count lit edges tell. */
+	void (*edge)(const struct accel_lighting *lighting, int side,
+		     struct accel_edge_batch *batch, int count);
 	/* Places of @count pixels on their triangles, in the middle in space as on the screen. */
 	void (*pixel)(struct accel_pixel_batch *batch, int count);
 	/* The bases of @count triangles, and their depth planes; or their surfaces. */

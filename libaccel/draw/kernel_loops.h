@@ -7,6 +7,7 @@
  */
 #include "draw/geometry_loop.h"
 #include "draw/lighting_loop.h"
+#include "draw/edge_loop.h"
 #include "draw/pixel_loop.h"
 #include "draw/setup_loop.h"
 #include "draw/fit_loop.h"
@@ -18,6 +19,7 @@ const struct accel_kernel KERNEL = {
 	.transform = loop_transform,
 	.light = loop_light,
 	.light_lamp = loop_light_lamp,
+	.edge = loop_edge,
 	.pixel = loop_pixel,
 	.setup = loop_setup,
 	.plane = loop_plane_batch,

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "draw/group.h"
+#include "draw/highlight.h"
 #include "draw/kernel.h"
 
 /* A step of a channel. */
@@ -36,7 +37,7 @@ void accel_shading_vertices(const struct accel_pass *pass, struct accel_vertex *
 {
 	for (int i = 0; i < count; i++)
 		vertex[i]->sampled = 1u + (unsigned int)side;
-	if (!pass->lit)
+	if (!pass->lit || !count)
 		return;
 	accel_lighting_vertices(&pass->lighting, side, vertex, count);
 	if (!pass->interpolated)
@@ -54,57 +55,6 @@ void accel_shading_vertex(const struct accel_pass *pass, struct accel_vertex *ve
 		accel_shading_vertices(pass, &vertex, 1, side);
 }
 
-/* The square of the angle between the normals (of its chord, exactly). */
-static float shading_normal_spread(const struct accel_vertex *a, const struct accel_vertex *b)
-{
-	float length = number_dot(a->normal, a->normal) * number_dot(b->normal, b->normal);
-
-	return length > 0 ?
-		       number_larger(2 - 2 * number_dot(a->normal, b->normal) / sqrtf(length), 0) :
-		       0;
-}
-
-static float shading_distance_squared(const struct accel_vertex *a, const struct accel_vertex *b)
-{
-	float sum = 0;
-
-	for (int i = 0; i < 3; i++) {
-		float d = a->eye[i] - b->eye[i];
-
-		sum += d * d;
-	}
-	return sum;
-}
-
-/* The square of an edge's length on the screen in pixels. */
-static float shading_screen_length(const struct accel_vertex *a, const struct accel_vertex *b)
-{
-	const float scale = 1.0f / ACCEL_WINDOW_ONE;
-	float x = (float)(b->x - a->x) * scale, y = (float)(b->y - a->y) * scale;
-
-	return x * x + y * y;
-}
-
-/*
- * SH-HILITE: can a highlight be seen within an angle of @radius, sine given, of points where the
- * half vector is @shine or more from the normal? With the half vector moving along the surface
- * (a near viewer, a near lamp) there is no closed form for its nearest approach; but it can not
- * come nearer than the angle that is left.
- */
-static bool shading_highlight_near(const struct accel_finish *finish, float shine,
-				   float sine_squared)
-{
-	float sine, cosine;
-
-	if (finish->visible_cosine > 1)
-		return false;
-	if (!(sine_squared < 1))
-		return true;
-	sine = sqrtf(sine_squared);
-	cosine = sqrtf(1 - sine_squared);
-	return shine > finish->visible_cosine * cosine - finish->visible_sine * sine;
-}
-
 /* What is known of an edge before its midpoint is lit. */
 struct span {
 	float spread; /* angle of the normals and of what moves, squared */
@@ -113,45 +63,6 @@ struct span {
 	float shine;
 	bool even; /* both ends have the same lights */
 };
-
-static void shading_span_init(const struct accel_pass *pass, const struct accel_vertex *a,
-			      const struct accel_vertex *b, struct span *span)
-{
-	const struct accel_sample *sa = &a->sample, *sb = &b->sample;
-	float near = number_larger(sa->near, sb->near), normals, place;
-
-	*span = (struct span){ .length = shading_screen_length(a, b), .even = true };
-	if (!pass->lit)
-		return;
-	normals = shading_normal_spread(a, b);
-	place = near > 0 ? near * shading_distance_squared(a, b) : 0;
-	span->spread = normals + place + 2 * sqrtf(normals * place);
-	span->lamp = sa->near_lamp > 0 || sb->near_lamp > 0 ?
-			     number_larger(sa->near_lamp, sb->near_lamp) *
-				     shading_distance_squared(a, b) :
-			     0;
-	span->shine = number_larger(sa->shine, sb->shine);
-	span->even = sa->facing == sb->facing && sa->in_cone == sb->in_cone;
-}
-
-/* Bound of the midpoint's distance from the straight line, from second derivatives. */
-static float shading_bend(const struct accel_pass *pass, const struct accel_vertex *a,
-			  const struct accel_vertex *b, const struct accel_finish *finish,
-			  const struct span *span)
-{
-	float change = 0, strength = finish->diffuse, w = fabsf(a->w - b->w) / (2 * (a->w + b->w));
-
-	for (int i = 0; i < 3; i++)
-		change = number_larger(change, fabsf(a->sample.colour[i] - b->sample.colour[i]));
-	/* Within half the edge of one of its ends. */
-	if (shading_highlight_near(finish, span->shine, span->spread / 4))
-		strength += finish->specular * number_larger(finish->shininess, 1);
-	/* Attenuation falls with the square of the distance at most. */
-	return change * w +
-	       (strength * span->spread + (finish->diffuse + finish->specular) *
-						  (pass->lighting.cone_exponent + 6) * span->lamp) /
-		       8;
-}
 
 static float shading_deviation(const float a[3], const float b[3])
 {
@@ -162,43 +73,103 @@ static float shading_deviation(const float a[3], const float b[3])
 	return most;
 }
 
-/* The curve's error a quarter of the way from @a, where the exact light is taken again. */
-static float shading_curve_error(const struct accel_pass *pass, const struct accel_vertex *a,
-				 const struct accel_vertex *middle, const struct accel_vertex *b,
-				 int side)
-{
-	struct accel_vertex quarter;
-	float curve[3];
+/* An edge, and as much as is known of it; its middle is lit. */
+struct bent {
+	const struct accel_vertex *a, *b;
+	struct accel_edge *edge;
+	struct span span;
+	struct accel_vertex middle;
+};
 
-	accel_patch_middle(a, middle, &quarter);
-	accel_shading_vertex(pass, &quarter, side);
-	for (int i = 0; i < 3; i++)
-		curve[i] = 0.375f * a->sample.colour[i] + 0.75f * middle->sample.colour[i] -
-			   0.125f * b->sample.colour[i];
-	return shading_deviation(curve, quarter.sample.colour);
-}
+enum verdict { KEEP, SPLIT, LOOK_CLOSER };
 
-static bool shading_wants_split(const struct accel_pass *pass, const struct accel_vertex *a,
-				const struct accel_vertex *middle, const struct accel_vertex *b,
-				int side, const struct span *span, float off_line)
+/* Is an edge to be split, as far as its ends and its middle tell? */
+static enum verdict shading_judge(const struct accel_pass *pass, const struct bent *bent, int side)
 {
 	const struct accel_finish *finish = &pass->lighting.finish[side];
+	const struct accel_sample *a = &bent->a->sample, *b = &bent->b->sample;
+	const struct accel_sample *middle = &bent->middle.sample;
+	const struct span *span = &bent->span;
 	float narrow = span->spread * finish->shininess;
 	bool shines = narrow > HIGHLIGHT_WIDE &&
-		      shading_highlight_near(finish,
-					     number_larger(span->shine, middle->sample.shine),
-					     span->spread / 16);
-	bool lit = a->sample.facing || b->sample.facing || middle->sample.facing;
+		      highlight_near(finish, number_larger(span->shine, middle->shine),
+				     span->spread / 16);
 
-	if (span->length < RIM_LENGTH * RIM_LENGTH ||
-	    (span->length < SPLIT_LENGTH * SPLIT_LENGTH && a->sample.in_cone == b->sample.in_cone))
-		return false;
-	if ((shines && narrow > HIGHLIGHT_NARROW) || (span->lamp > LAMP_NARROW && lit))
-		return true;
-	if (!shines && span->even && off_line < EXAMINE)
-		return false;
-	return shading_curve_error(pass, a, middle, b, side) > CURVE ||
-	       shading_curve_error(pass, b, middle, a, side) > CURVE;
+	if (!accel_patch_divisible(bent->a, bent->b) || span->length < RIM_LENGTH * RIM_LENGTH ||
+	    (span->length < SPLIT_LENGTH * SPLIT_LENGTH && a->in_cone == b->in_cone))
+		return KEEP;
+	if ((shines && narrow > HIGHLIGHT_NARROW) ||
+	    (span->lamp > LAMP_NARROW && (a->facing || b->facing || middle->facing)))
+		return SPLIT;
+	if (!shines && span->even &&
+	    shading_deviation(bent->edge->colour, middle->colour) < EXAMINE)
+		return KEEP;
+	return LOOK_CLOSER;
+}
+
+/* Points a quarter of the way along edges, where the exact light is taken again. */
+struct quarters {
+	int count;
+	struct {
+		const struct accel_vertex *near, *middle, *far;
+		bool *split; /* is to be set if the curve is too far off */
+	} of[ACCEL_BATCH];
+	struct accel_vertex vertex[ACCEL_BATCH];
+};
+
+static void shading_quarters_flush(const struct accel_pass *pass, struct quarters *list, int side)
+{
+	struct accel_vertex *vertex[ACCEL_BATCH];
+
+	for (int i = 0; i < list->count; i++)
+		vertex[i] = &list->vertex[i];
+	accel_shading_vertices(pass, vertex, list->count, side);
+	for (int i = 0; i < list->count; i++) {
+		const struct accel_vertex *middle = list->of[i].middle;
+		float curve[3];
+
+		for (int j = 0; j < 3; j++)
+			curve[j] = 0.375f * list->of[i].near->sample.colour[j] +
+				   0.75f * middle->sample.colour[j] -
+				   0.125f * list->of[i].far->sample.colour[j];
+		*list->of[i].split |= shading_deviation(curve, list->vertex[i].sample.colour) >
+				      CURVE;
+	}
+	list->count = 0;
+}
+
+static void shading_quarter(const struct accel_pass *pass, struct quarters *list, int side,
+			    const struct accel_vertex *near, const struct bent *bent,
+			    const struct accel_vertex *far)
+{
+	const int i = list->count++;
+
+	list->of[i].near = near;
+	list->of[i].middle = &bent->middle;
+	list->of[i].far = far;
+	list->of[i].split = &bent->edge->split;
+	accel_patch_middle(near, &bent->middle, &list->vertex[i]);
+	if (list->count == ACCEL_BATCH)
+		shading_quarters_flush(pass, list, side);
+}
+
+/* Which of the edges are to be split. */
+static void shading_splits(const struct accel_pass *pass, const struct bent *bent, int count,
+			   int side)
+{
+	struct quarters quarters;
+
+	quarters.count = 0;
+	for (int i = 0; i < count; i++) {
+		const enum verdict verdict = shading_judge(pass, &bent[i], side);
+
+		bent[i].edge->split = verdict == SPLIT;
+		if (verdict != LOOK_CLOSER)
+			continue;
+		shading_quarter(pass, &quarters, side, bent[i].a, &bent[i], bent[i].b);
+		shading_quarter(pass, &quarters, side, bent[i].b, &bent[i], bent[i].a);
+	}
+	shading_quarters_flush(pass, &quarters, side);
 }
 
 /* Moves the curve from the straight line's middle, but not so far that its control point, which
@@ -212,41 +183,112 @@ static void shading_bend_to(float colour[3], const float middle[3])
 	}
 }
 
-/* Sets the edge as far as its ends tell; false: its middle has to be lit. */
-static bool shading_edge_begin(const struct accel_pass *pass, const struct accel_vertex *a,
-			       const struct accel_vertex *b, int side, struct span *span,
-			       struct accel_edge *edge)
-{
-	const struct accel_finish *finish = &pass->lighting.finish[side];
-
-	shading_span_init(pass, a, b, span);
-	*edge = (struct accel_edge){ .spread = span->spread };
-	for (int i = 0; i < 3; i++)
-		edge->colour[i] = (a->sample.colour[i] + b->sample.colour[i]) / 2;
-	if (pass->state->shading != ACCEL_SHADING_ADAPTIVE)
-		return false;
-	return span->length < CURVE_LENGTH * CURVE_LENGTH ||
-	       (span->even && shading_bend(pass, a, b, finish, span) < STRAIGHT);
-}
-
-/* The second-order curve through the light at the middle, which is lit. */
-static void shading_edge_end(const struct accel_pass *pass, const struct accel_vertex *a,
-			     const struct accel_vertex *b, int side, const struct span *span,
-			     struct accel_vertex *middle, struct accel_edge *edge)
+/* The second-order curve through the light at the middle. */
+static void shading_curve(const struct accel_pass *pass, struct bent *bent, int side)
 {
 	bool adaptive = pass->state->shading == ACCEL_SHADING_ADAPTIVE;
-	float off_line = shading_deviation(edge->colour, middle->sample.colour);
+	struct accel_sample *middle = &bent->middle.sample;
+	struct accel_edge *edge = bent->edge;
 
-	edge->middle = middle->sample;
+	edge->middle = *middle;
 	edge->sampled = true;
-	edge->split = adaptive && accel_patch_divisible(a, b) &&
-		      shading_wants_split(pass, a, middle, b, side, span, off_line);
-	edge->curved = !adaptive || off_line >= STRAIGHT;
+	edge->curved = !adaptive || shading_deviation(edge->colour, middle->colour) >= STRAIGHT;
 	if (!edge->curved)
 		return;
 	if (pass->lit)
-		accel_spot_bound(pass, a, middle, b, side, middle->sample.colour);
-	shading_bend_to(edge->colour, middle->sample.colour);
+		accel_spot_bound(pass, bent->a, &bent->middle, bent->b, side, middle->colour);
+	shading_bend_to(edge->colour, middle->colour);
+}
+
+/* Edges that are worked together. */
+struct edges {
+	int count;
+	struct {
+		const struct accel_vertex *a, *b;
+		struct accel_edge *edge;
+	} of[ACCEL_BATCH];
+	int bents; /* of those whose middles are to be lit */
+	struct bent bent[ACCEL_BATCH];
+};
+
+static void shading_bents_flush(const struct accel_pass *pass, struct edges *list, int side)
+{
+	struct accel_vertex *vertex[ACCEL_BATCH];
+
+	for (int i = 0; i < list->bents; i++)
+		vertex[i] = &list->bent[i].middle;
+	accel_shading_vertices(pass, vertex, list->bents, side);
+	if (pass->state->shading == ACCEL_SHADING_ADAPTIVE)
+		shading_splits(pass, list->bent, list->bents, side);
+	for (int i = 0; i < list->bents; i++)
+		shading_curve(pass, &list->bent[i], side);
+	list->bents = 0;
+}
+
+static void shading_put_end(struct accel_edge_batch *batch, int end, int i,
+			    const struct accel_vertex *vertex)
+{
+	const struct accel_sample *sample = &vertex->sample;
+
+	batch->x[end][i] = vertex->x;
+	batch->y[end][i] = vertex->y;
+	batch->w[end][i] = vertex->w;
+	for (int j = 0; j < 3; j++) {
+		batch->eye[end][j][i] = vertex->eye[j];
+		batch->normal[end][j][i] = vertex->normal[j];
+		batch->colour[end][j][i] = sample->colour[j];
+	}
+	batch->shine[end][i] = sample->shine;
+	batch->near[end][i] = sample->near;
+	batch->near_lamp[end][i] = sample->near_lamp;
+	batch->lights[end][i] = (uint32_t)sample->facing | (uint32_t)sample->in_cone << 8;
+}
+
+/* The middle of edge @i will be lit. */
+static void shading_bend(const struct accel_pass *pass, struct edges *list, int i,
+			 const struct span *span, int side)
+{
+	struct bent *bent = &list->bent[list->bents++];
+
+	bent->a = list->of[i].a;
+	bent->b = list->of[i].b;
+	bent->edge = list->of[i].edge;
+	bent->span = *span;
+	accel_patch_middle(bent->a, bent->b, &bent->middle);
+	if (list->bents == ACCEL_BATCH)
+		shading_bents_flush(pass, list, side);
+}
+
+/* Finds out by the ends which edges bend. */
+static void shading_look(const struct accel_pass *pass, struct edges *list, int side)
+{
+	struct accel_edge_batch batch;
+
+	for (int i = 0; i < list->count; i++) {
+		shading_put_end(&batch, 0, i, list->of[i].a);
+		shading_put_end(&batch, 1, i, list->of[i].b);
+	}
+	accel_kernel()->edge(&pass->lighting, side, &batch, list->count);
+	for (int i = 0; i < list->count; i++) {
+		const struct span span = { batch.spread[i], batch.lamp[i], batch.length[i],
+					   batch.most_shine[i], batch.even[i] };
+
+		list->of[i].edge->spread = span.spread;
+		if (span.length >= CURVE_LENGTH * CURVE_LENGTH &&
+		    !(span.even && batch.bend[i] < STRAIGHT))
+			shading_bend(pass, list, i, &span, side);
+	}
+}
+
+static void shading_edges_flush(const struct accel_pass *pass, struct edges *list, int side)
+{
+	const struct span any = { 0 };
+
+	if (pass->state->shading == ACCEL_SHADING_ADAPTIVE && list->count)
+		shading_look(pass, list, side);
+	for (int i = 0; i < list->count && pass->state->shading != ACCEL_SHADING_ADAPTIVE; i++)
+		shading_bend(pass, list, i, &any, side);
+	list->count = 0;
 }
 
 static bool shading_interpolates(const struct accel_pass *pass)
@@ -254,73 +296,56 @@ static bool shading_interpolates(const struct accel_pass *pass)
 	return pass->interpolated && pass->state->shading != ACCEL_SHADING_QUADRATIC;
 }
 
-void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
-			const struct accel_vertex *b, int side, struct accel_edge *edge)
+static void shading_put_edge(const struct accel_pass *pass, struct edges *list, int side,
+			     const struct accel_vertex *a, const struct accel_vertex *b,
+			     struct accel_edge *edge)
 {
-	struct accel_vertex middle;
-	struct span span;
+	const int i = list->count;
 
 	if (shading_interpolates(pass)) {
 		accel_interpolate_edge(a, b, edge);
 		return;
 	}
-	if (shading_edge_begin(pass, a, b, side, &span, edge))
-		return;
-	accel_patch_middle(a, b, &middle);
-	accel_shading_vertex(pass, &middle, side);
-	shading_edge_end(pass, a, b, side, &span, &middle, edge);
+	*edge = (struct accel_edge){ .split = false };
+	for (int j = 0; j < 3; j++)
+		edge->colour[j] = (a->sample.colour[j] + b->sample.colour[j]) / 2;
+	list->of[i].a = a;
+	list->of[i].b = b;
+	list->of[i].edge = edge;
+	if (++list->count == ACCEL_BATCH)
+		shading_edges_flush(pass, list, side);
 }
 
-/* Edges whose middles are lit together. */
-struct middles {
-	int count;
-	uint32_t edge[ACCEL_BATCH]; /* of the group */
-	struct span span[ACCEL_BATCH];
-	struct accel_vertex middle[ACCEL_BATCH];
-};
-
-static void shading_middles_flush(const struct accel_pass *pass, const struct accel_group *group,
-				  int side, struct middles *list)
+static void shading_finish_edges(const struct accel_pass *pass, struct edges *list, int side)
 {
-	struct accel_vertex *vertex[ACCEL_BATCH];
+	shading_edges_flush(pass, list, side);
+	shading_bents_flush(pass, list, side);
+}
 
-	for (int i = 0; i < list->count; i++)
-		vertex[i] = &list->middle[i];
-	accel_shading_vertices(pass, vertex, list->count, side);
-	for (int i = 0; i < list->count; i++) {
-		const struct accel_ends *ends = &group->ends[list->edge[i]];
+void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex *a,
+			const struct accel_vertex *b, int side, struct accel_edge *edge)
+{
+	struct edges list;
 
-		shading_edge_end(pass, &group->vertex[ends->a], &group->vertex[ends->b], side,
-				 &list->span[i], &list->middle[i], &group->edge[list->edge[i]]);
-	}
-	list->count = 0;
+	list.count = list.bents = 0;
+	shading_put_edge(pass, &list, side, a, b, edge);
+	shading_finish_edges(pass, &list, side);
 }
 
 static void shading_side_edges(const struct accel_pass *pass, const struct accel_group *group,
 			       uint32_t first, int side)
 {
-	struct middles list;
+	struct edges list;
 
-	list.count = 0;
+	list.count = list.bents = 0;
 	for (uint32_t i = first; i < group->edges; i++) {
 		const struct accel_ends *ends = &group->ends[i];
-		const struct accel_vertex *a = &group->vertex[ends->a];
-		const struct accel_vertex *b = &group->vertex[ends->b];
 
-		if (group->link[ends->a].side != side)
-			continue;
-		if (shading_interpolates(pass)) {
-			accel_interpolate_edge(a, b, &group->edge[i]);
-			continue;
-		}
-		if (shading_edge_begin(pass, a, b, side, &list.span[list.count], &group->edge[i]))
-			continue;
-		accel_patch_middle(a, b, &list.middle[list.count]);
-		list.edge[list.count++] = i;
-		if (list.count == ACCEL_BATCH)
-			shading_middles_flush(pass, group, side, &list);
+		if (group->link[ends->a].side == side)
+			shading_put_edge(pass, &list, side, &group->vertex[ends->a],
+					 &group->vertex[ends->b], &group->edge[i]);
 	}
-	shading_middles_flush(pass, group, side, &list);
+	shading_finish_edges(pass, &list, side);
 }
 
 void accel_shading_edges(const struct accel_pass *pass, const struct accel_group *group,
@@ -349,7 +374,7 @@ static bool shading_inside(const struct accel_pass *pass, const struct accel_pat
 
 	/* No point is farther from the middle than two thirds of the longest edge. */
 	if (spread * finish->shininess > HIGHLIGHT_NARROW &&
-	    shading_highlight_near(finish, middle->sample.shine, spread * 4 / 9))
+	    highlight_near(finish, middle->sample.shine, spread * 4 / 9))
 		return true;
 	accel_patch_surface_centre(patch, curve);
 	return shading_deviation(curve, middle->sample.colour) > CURVE;
@@ -372,8 +397,7 @@ static bool shading_is_plain(const struct accel_pass *pass, const struct accel_p
 			return false;
 		shine = number_larger(shine, sample->shine);
 	}
-	return !shading_highlight_near(&pass->lighting.finish[side], shine,
-				       shading_patch_spread(patch));
+	return !highlight_near(&pass->lighting.finish[side], shine, shading_patch_spread(patch));
 }
 
 void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,

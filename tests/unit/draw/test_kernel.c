@@ -136,6 +136,54 @@ static void light_is_the_same_with_all_instructions(void **unused)
 	}
 }
 
+/* Ends of an edge, often close to each other, often with the same lights. */
+static void any_ends(uint64_t *seed, struct accel_edge_batch *batch, int i)
+{
+	for (int end = 0; end < 2; end++) {
+		batch->x[end][i] = test_between(seed, 0, 1 << test_between(seed, 1, 21));
+		batch->y[end][i] = test_between(seed, 0, 1 << test_between(seed, 1, 21));
+		batch->lights[end][i] = (uint32_t)test_below(seed, 2);
+		batch->shine[end][i] = 1 - ldexpf(test_unit(seed), -test_between(seed, 0, 8));
+		if (test_below(seed, 2))
+			batch->near[end][i] = batch->near_lamp[end][i] = 0;
+	}
+	for (int j = 0; j < 3 && test_below(seed, 2); j++) {
+		batch->normal[1][j][i] = batch->normal[0][j][i] * (1 + test_unit(seed) / 16);
+		batch->colour[1][j][i] = batch->colour[0][j][i] + test_unit(seed) / 16;
+	}
+}
+
+static void ends_of_edges_are_the_same_with_all_instructions(void **unused)
+{
+	static struct accel_edge_batch given, wanted, got;
+	uint64_t seed = test_seed();
+
+	(void)unused;
+	for (int n = 0; n < ROUNDS; n++) {
+		struct accel_state *state = state_shiny(n % 5 ? 1000 * test_unit(&seed) : 0);
+		int side = n % 2, count = test_between(&seed, 1, ACCEL_BATCH + 1);
+		struct accel_lighting lighting;
+
+		any_lights(&seed, state);
+		accel_lighting_init(&lighting, state, false);
+		fill(&seed, &given.w[0][0], 26 * (size_t)ACCEL_BATCH, n % 8 ? 2 : 60);
+		for (int i = 0; i < ACCEL_BATCH; i++)
+			any_ends(&seed, &given, i);
+		wanted = given;
+		accel_kernel_baseline.edge(&lighting, side, &wanted, count);
+		settle(&wanted.spread, 5 * sizeof(wanted.spread));
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = given;
+			accel_kernels[i]->edge(&lighting, side, &got, count);
+			settle(&got.spread, 5 * sizeof(got.spread));
+			assert_memory_equal(&got.spread, &wanted.spread, 6 * sizeof(got.spread));
+		}
+		accel_state_free(state);
+	}
+}
+
 /* Triangles of all sizes; vertices of parts lie in finer units than those of meshes. */
 static void any_triangle(uint64_t *seed, struct accel_setup_batch *batch, int i)
 {
@@ -452,6 +500,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(vertices_are_the_same_with_all_instructions),
 		cmocka_unit_test(light_is_the_same_with_all_instructions),
+		cmocka_unit_test(ends_of_edges_are_the_same_with_all_instructions),
 		cmocka_unit_test(pixels_are_the_same_with_all_instructions),
 		cmocka_unit_test(edges_are_the_same_with_all_instructions),
 		cmocka_unit_test(surfaces_are_the_same_with_all_instructions),
