@@ -457,11 +457,12 @@ struct accel_line {
 /* The pixels of a row: left <= x < right. */
 struct accel_row {
 	int32_t left, right;
-	uint32_t left_r, right_r;
 };
 
 /* Rows of a small triangle are kept: many triangles have no more. */
-#define ACCEL_SETUP_ROWS 8
+#define ACCEL_SETUP_ROWS 16
+/* Most have no more than this; those are found in batches, and with them what they come to. */
+#define ACCEL_LOOP_ROWS 8
 #define ACCEL_BAND_ROWS 64
 
 struct accel_setup {
@@ -470,8 +471,8 @@ struct accel_setup {
 	bool narrow;          /* fits edges_compact */
 	struct accel_line left, right, middle;
 	struct accel_row row[ACCEL_SETUP_ROWS]; /* from @first on, as many as there are */
-	/* If there are no more: how many pixels they have, visible or not, in which box, and the
-	 * first of them in its row. */
+	/* If there are no more than ACCEL_LOOP_ROWS: how many pixels they have, visible or not, in
+	 * which box, and the first of them in its row. */
 	int pixels, start;
 	struct accel_bounds box;
 };

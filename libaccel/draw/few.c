@@ -16,7 +16,7 @@ void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
 {
 	few->count = 0;
 	if (!pass->lit || pass->state->shading != ACCEL_SHADING_ADAPTIVE ||
-	    setup->end - setup->first > ACCEL_SETUP_ROWS || setup->pixels > ACCEL_FEW)
+	    setup->end - setup->first > ACCEL_LOOP_ROWS || setup->pixels > ACCEL_FEW)
 		return;
 	for (int y = setup->first; y < setup->end; y++) {
 		const struct accel_row *row = &setup->row[y - setup->first];

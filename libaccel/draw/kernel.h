@@ -87,7 +87,6 @@ struct accel_line_batch {
 
 struct accel_row_batch {
 	int32_t left[ACCEL_BATCH], right[ACCEL_BATCH];
-	uint32_t left_r[ACCEL_BATCH], right_r[ACCEL_BATCH];
 };
 
 struct accel_setup_batch {
@@ -100,7 +99,7 @@ struct accel_setup_batch {
 	int32_t x0[ACCEL_BATCH], y0[ACCEL_BATCH], x1[ACCEL_BATCH], y1[ACCEL_BATCH];
 	int32_t start[ACCEL_BATCH], pixels[ACCEL_BATCH];
 	struct accel_line_batch left, right, middle;
-	struct accel_row_batch row[ACCEL_SETUP_ROWS];
+	struct accel_row_batch row[ACCEL_LOOP_ROWS];
 	int32_t at[2][ACCEL_BATCH], at_r[2][ACCEL_BATCH]; /* of the loops */
 };
 
@@ -183,7 +182,7 @@ struct accel_kernel {
 	void (*fit)(struct accel_fit_batch *batch, int count);
 	/* Rounds and packs those of @count triangles that are small; @tile_size is a power of two. */
 	void (*small)(struct accel_leaf_batch *batch, int count, int tile_size);
-	/* The edges of @count triangles, and as many rows as accel_setup keeps. */
+	/* The edges of @count triangles, and up to ACCEL_LOOP_ROWS rows. */
 	void (*setup)(struct accel_setup_batch *batch, int count,
 		      const struct accel_bounds *visible);
 };

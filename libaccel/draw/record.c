@@ -16,18 +16,21 @@ static void record_edges_wide(struct gloss_edges_wide *edges, const struct accel
 {
 	const struct accel_line *left = accel_setup_line(setup, place->first, false);
 	const struct accel_line *right = accel_setup_line(setup, place->first, true);
+	uint32_t left_r, right_r;
 
+	accel_setup_at(left, place->first, &left_r);
+	accel_setup_at(right, place->first, &right_r);
 	*edges = (struct gloss_edges_wide){
 		.left_x = place->row->left - place->x,
 		.left_step = left->step,
-		.left_r = place->row->left_r,
+		.left_r = left_r,
 		.left_m = left->m,
 		.left_dy = (uint32_t)left->dy,
 		.first_row = (uint32_t)(place->first - place->y),
 		.last_row = (uint32_t)(place->end - place->first - 1),
 		.right_x = place->row->right - place->x,
 		.right_step = right->step,
-		.right_r = place->row->right_r,
+		.right_r = right_r,
 		.right_m = right->m,
 		.right_dy = (uint32_t)right->dy,
 	};

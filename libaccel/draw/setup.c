@@ -60,12 +60,10 @@ int32_t accel_setup_at(const struct accel_line *line, int row, uint32_t *r)
 /* As the core steps from row to row. */
 static void setup_line_step(const struct accel_line *line, int32_t *x, uint32_t *r)
 {
-	*r += line->m;
-	*x += line->step;
-	if (*r >= (uint32_t)line->dy) {
-		*r -= (uint32_t)line->dy;
-		*x += 1;
-	}
+	const uint32_t rest = *r + line->m, over = rest >= (uint32_t)line->dy;
+
+	*r = rest - ((uint32_t)line->dy & -over);
+	*x += line->step + (int32_t)over;
 }
 
 const struct accel_line *accel_setup_line(const struct accel_setup *setup, int row, bool right)
@@ -75,25 +73,33 @@ const struct accel_line *accel_setup_line(const struct accel_setup *setup, int r
 	return right ? &setup->right : &setup->left;
 }
 
+/* Where the edges are in a row. */
+struct place {
+	int32_t left, right;
+	uint32_t left_r, right_r;
+};
+
 /* Rows @first to @end - 1, all of them on one side of the turn; @at is the first, and then the next. */
-static void setup_walk(const struct accel_setup *setup, int first, int end, struct accel_row *at,
+static void setup_walk(const struct accel_setup *setup, int first, int end, struct place *at,
 		       struct accel_row *row)
 {
-	const struct accel_line *left = accel_setup_line(setup, first, false);
-	const struct accel_line *right = accel_setup_line(setup, first, true);
+	const struct accel_line left = *accel_setup_line(setup, first, false);
+	const struct accel_line right = *accel_setup_line(setup, first, true);
+	struct place now = *at; /* which nothing in @row can change */
 
 	for (int i = 0; i < end - first; i++) {
-		row[i] = *at;
-		setup_line_step(left, &at->left, &at->left_r);
-		setup_line_step(right, &at->right, &at->right_r);
+		row[i] = (struct accel_row){ now.left, now.right };
+		setup_line_step(&left, &now.left, &now.left_r);
+		setup_line_step(&right, &now.right, &now.right_r);
 	}
+	*at = now;
 }
 
 static void setup_find_rows(const struct accel_setup *setup, int first, int end,
 			    struct accel_row *row)
 {
 	int turn = number_clamp(setup->turn, first, end);
-	struct accel_row at;
+	struct place at;
 
 	at.left = accel_setup_at(accel_setup_line(setup, first, false), first, &at.left_r);
 	at.right = accel_setup_at(accel_setup_line(setup, first, true), first, &at.right_r);
@@ -113,7 +119,7 @@ static void setup_find_rows(const struct accel_setup *setup, int first, int end,
 const struct accel_row *accel_setup_rows(const struct accel_setup *setup, int first, int end,
 					 struct accel_row *room)
 {
-	if (end - setup->first <= ACCEL_SETUP_ROWS)
+	if (setup->end - setup->first <= ACCEL_SETUP_ROWS)
 		return &setup->row[first - setup->first];
 	setup_find_rows(setup, first, end, room);
 	return room;
@@ -163,7 +169,7 @@ static void setup_take_line(const struct accel_line_batch *batch, int i, struct 
 /* Triangle @i of the batch. */
 static void setup_take(const struct accel_setup_batch *batch, int i, struct accel_setup *setup)
 {
-	int rows = number_min(batch->end[i] - batch->first[i], ACCEL_SETUP_ROWS);
+	const int rows = batch->end[i] - batch->first[i];
 
 	setup->first = batch->first[i];
 	setup->turn = batch->turn[i];
@@ -173,13 +179,11 @@ static void setup_take(const struct accel_setup_batch *batch, int i, struct acce
 	setup_take_line(&batch->left, i, &setup->left);
 	setup_take_line(&batch->right, i, &setup->right);
 	setup_take_line(&batch->middle, i, &setup->middle);
-	for (int row = 0; row < rows; row++)
-		setup->row[row] = (struct accel_row){
-			batch->row[row].left[i],
-			batch->row[row].right[i],
-			batch->row[row].left_r[i],
-			batch->row[row].right_r[i],
-		};
+	for (int row = 0; row < rows && rows <= ACCEL_LOOP_ROWS; row++)
+		setup->row[row] = (struct accel_row){ batch->row[row].left[i],
+						      batch->row[row].right[i] };
+	if (rows > ACCEL_LOOP_ROWS && rows <= ACCEL_SETUP_ROWS)
+		setup_find_rows(setup, setup->first, setup->end, setup->row);
 	setup->pixels = batch->pixels[i];
 	setup->start = batch->start[i];
 	setup->box = (struct accel_bounds){ batch->x0[i], batch->y0[i], batch->x1[i],
@@ -189,12 +193,12 @@ static void setup_take(const struct accel_setup_batch *batch, int i, struct acce
 bool accel_setup_draws(const struct accel_setup_batch *batch, int i,
 		       const struct accel_bounds *visible, struct accel_setup *setup)
 {
-	bool kept = batch->end[i] - batch->first[i] <= ACCEL_SETUP_ROWS;
+	bool looked = batch->end[i] - batch->first[i] <= ACCEL_LOOP_ROWS;
 
-	if (kept && !batch->covers[i])
+	if (looked && !batch->covers[i])
 		return false;
 	setup_take(batch, i, setup);
-	return kept || setup_covers(setup, visible);
+	return looked || setup_covers(setup, visible);
 }
 
 bool accel_setup_init(struct accel_setup *setup, const struct accel_vertex *const vertex[3])

@@ -177,8 +177,6 @@ LOOP_INLINE void loop_step_row(struct accel_setup_batch *batch, int row, int i,
 
 	out->left[i] = x[0];
 	out->right[i] = x[1];
-	out->left_r[i] = (uint32_t)rest[0];
-	out->right_r[i] = (uint32_t)rest[1];
 	batch->covers[i] |= seen;
 	loop_box_row(batch, i, y, x[0], x[1]);
 	by = loop_choose_int(on_left, m->dy[i], l->dy[i]);
@@ -213,7 +211,7 @@ static void loop_setup(struct accel_setup_batch *batch, int count,
 		batch->x1[i] = INT32_MIN;
 		batch->y0[i] = batch->y1[i] = batch->start[i] = batch->pixels[i] = 0;
 	}
-	for (int row = 0; row < loop_min(rows, ACCEL_SETUP_ROWS); row++) {
+	for (int row = 0; row < loop_min(rows, ACCEL_LOOP_ROWS); row++) {
 		for (int i = 0; i < count; i++)
 			loop_step_row(batch, row, i, &visible, &out);
 		batch->row[row] = out;

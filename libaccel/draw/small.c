@@ -14,7 +14,7 @@
 
 #define CHANNELS 3
 
-/* The box of rows that are not kept, as accel_setup has that of others. */
+/* The box of more rows than accel_setup has it of. */
 static void small_box_row(struct accel_small *small, const struct accel_row *row, int y)
 {
 	if (row->left >= row->right)
@@ -46,7 +46,7 @@ void accel_small_init(struct accel_small *small, const struct accel_setup *setup
 	*small = (struct accel_small){ .fits = false };
 	if (rows > ACCEL_SMALL_SIZE)
 		return;
-	if (rows > ACCEL_SETUP_ROWS)
+	if (rows > ACCEL_LOOP_ROWS)
 		small_box(small, setup);
 	else
 		*small = (struct accel_small){
