@@ -55,27 +55,30 @@ void gloss_assign(struct gloss_context *context, unsigned int dirty, void *membe
 	}                                                                           \
 	static void do_##name(struct gloss_context *context)
 
-#define GLOSS_LISTED1(name, A, a)                                                               \
-	struct call_##name {                                                                    \
-		A a;                                                                            \
-	};                                                                                      \
-	static void do_##name(struct gloss_context *context, A a);                              \
-	static void play_##name(struct gloss_context *context, const void *data)                \
-	{                                                                                       \
-		const struct call_##name *call = data;                                          \
-                                                                                                \
-		do_##name(context, call->a);                                                    \
-	}                                                                                       \
-	void gl_##name(A a);                                                                    \
-	void gl_##name(A a)                                                                     \
-	{                                                                                       \
-		const struct call_##name call = { a };                                          \
-		struct gloss_context *context = gloss_listed(play_##name, &call, sizeof(call)); \
-                                                                                                \
-		if (context)                                                                    \
-			play_##name(context, &call);                                            \
-	}                                                                                       \
+#define GLOSS_LISTED1_BY(record, name, A, a)                                              \
+	struct call_##name {                                                              \
+		A a;                                                                      \
+	};                                                                                \
+	static void do_##name(struct gloss_context *context, A a);                        \
+	static void play_##name(struct gloss_context *context, const void *data)          \
+	{                                                                                 \
+		const struct call_##name *call = data;                                    \
+                                                                                          \
+		do_##name(context, call->a);                                              \
+	}                                                                                 \
+	void gl_##name(A a);                                                              \
+	void gl_##name(A a)                                                               \
+	{                                                                                 \
+		const struct call_##name call = { a };                                    \
+		struct gloss_context *context = record(play_##name, &call, sizeof(call)); \
+                                                                                          \
+		if (context)                                                              \
+			play_##name(context, &call);                                      \
+	}                                                                                 \
 	static void do_##name(struct gloss_context *context, A a)
+#define GLOSS_LISTED1(name, A, a) GLOSS_LISTED1_BY(gloss_listed, name, A, a)
+/* The same of a command that is allowed between glBegin and glEnd. */
+#define GLOSS_LISTED_INSIDE1(name, A, a) GLOSS_LISTED1_BY(gloss_listed_inside, name, A, a)
 
 #define GLOSS_LISTED2(name, A, a, B, b)                                                         \
 	struct call_##name {                                                                    \
@@ -100,29 +103,33 @@ void gloss_assign(struct gloss_context *context, unsigned int dirty, void *membe
 	}                                                                                       \
 	static void do_##name(struct gloss_context *context, A a, B b)
 
-#define GLOSS_LISTED3(name, A, a, B, b, C, c)                                                   \
-	struct call_##name {                                                                    \
-		A a;                                                                            \
-		B b;                                                                            \
-		C c;                                                                            \
-	};                                                                                      \
-	static void do_##name(struct gloss_context *context, A a, B b, C c);                    \
-	static void play_##name(struct gloss_context *context, const void *data)                \
-	{                                                                                       \
-		const struct call_##name *call = data;                                          \
-                                                                                                \
-		do_##name(context, call->a, call->b, call->c);                                  \
-	}                                                                                       \
-	void gl_##name(A a, B b, C c);                                                          \
-	void gl_##name(A a, B b, C c)                                                           \
-	{                                                                                       \
-		const struct call_##name call = { a, b, c };                                    \
-		struct gloss_context *context = gloss_listed(play_##name, &call, sizeof(call)); \
-                                                                                                \
-		if (context)                                                                    \
-			play_##name(context, &call);                                            \
-	}                                                                                       \
+#define GLOSS_LISTED3_BY(record, name, A, a, B, b, C, c)                                  \
+	struct call_##name {                                                              \
+		A a;                                                                      \
+		B b;                                                                      \
+		C c;                                                                      \
+	};                                                                                \
+	static void do_##name(struct gloss_context *context, A a, B b, C c);              \
+	static void play_##name(struct gloss_context *context, const void *data)          \
+	{                                                                                 \
+		const struct call_##name *call = data;                                    \
+                                                                                          \
+		do_##name(context, call->a, call->b, call->c);                            \
+	}                                                                                 \
+	void gl_##name(A a, B b, C c);                                                    \
+	void gl_##name(A a, B b, C c)                                                     \
+	{                                                                                 \
+		const struct call_##name call = { a, b, c };                              \
+		struct gloss_context *context = record(play_##name, &call, sizeof(call)); \
+                                                                                          \
+		if (context)                                                              \
+			play_##name(context, &call);                                      \
+	}                                                                                 \
 	static void do_##name(struct gloss_context *context, A a, B b, C c)
+#define GLOSS_LISTED3(name, A, a, B, b, C, c) GLOSS_LISTED3_BY(gloss_listed, name, A, a, B, b, C, c)
+/* The same of a command that is allowed between glBegin and glEnd. */
+#define GLOSS_LISTED_INSIDE3(name, A, a, B, b, C, c) \
+	GLOSS_LISTED3_BY(gloss_listed_inside, name, A, a, B, b, C, c)
 
 #define GLOSS_LISTED4(name, A, a, B, b, C, c, D, d)                                             \
 	struct call_##name {                                                                    \
@@ -201,54 +208,5 @@ void gloss_assign(struct gloss_context *context, unsigned int dirty, void *membe
 			play_##name(context, &call);                                            \
 	}                                                                                       \
 	static void do_##name(struct gloss_context *context, A a, B b, C c, D d, E e, F f)
-
-/* The same of commands that are allowed between glBegin and glEnd. */
-#define GLOSS_LISTED_INSIDE1(name, A, a)                                                \
-	struct call_##name {                                                            \
-		A a;                                                                    \
-	};                                                                              \
-	static void do_##name(struct gloss_context *context, A a);                      \
-	static void play_##name(struct gloss_context *context, const void *data)        \
-	{                                                                               \
-		const struct call_##name *call = data;                                  \
-                                                                                        \
-		do_##name(context, call->a);                                            \
-	}                                                                               \
-	void gl_##name(A a);                                                            \
-	void gl_##name(A a)                                                             \
-	{                                                                               \
-		const struct call_##name call = { a };                                  \
-		struct gloss_context *context = gloss_listed_inside(play_##name, &call, \
-								    sizeof(call));      \
-                                                                                        \
-		if (context)                                                            \
-			play_##name(context, &call);                                    \
-	}                                                                               \
-	static void do_##name(struct gloss_context *context, A a)
-
-#define GLOSS_LISTED_INSIDE3(name, A, a, B, b, C, c)                                    \
-	struct call_##name {                                                            \
-		A a;                                                                    \
-		B b;                                                                    \
-		C c;                                                                    \
-	};                                                                              \
-	static void do_##name(struct gloss_context *context, A a, B b, C c);            \
-	static void play_##name(struct gloss_context *context, const void *data)        \
-	{                                                                               \
-		const struct call_##name *call = data;                                  \
-                                                                                        \
-		do_##name(context, call->a, call->b, call->c);                          \
-	}                                                                               \
-	void gl_##name(A a, B b, C c);                                                  \
-	void gl_##name(A a, B b, C c)                                                   \
-	{                                                                               \
-		const struct call_##name call = { a, b, c };                            \
-		struct gloss_context *context = gloss_listed_inside(play_##name, &call, \
-								    sizeof(call));      \
-                                                                                        \
-		if (context)                                                            \
-			play_##name(context, &call);                                    \
-	}                                                                               \
-	static void do_##name(struct gloss_context *context, A a, B b, C c)
 
 #endif
