@@ -26,21 +26,23 @@ void *gloss_names_find(const struct gloss_names *names, uint32_t name)
 /* Room for one name more, at most half of the places taken; deleted ones are dropped. */
 static bool names_grow(struct gloss_names *names)
 {
-	struct gloss_names grown = { .greatest = names->greatest };
+	struct gloss_names grown = { .used = names->live,
+				     .live = names->live,
+				     .greatest = names->greatest };
 
 	if (2 * (names->used + 1) <= names->places)
 		return true;
-	if (names->places > UINT32_MAX / 4)
+	if (names->live > UINT32_MAX / 8)
 		return false;
-	grown.places = names->places ? 2 * names->places : NAMES_FIRST;
+	/* At most a third are taken then, so that it is long to the next time. */
+	for (grown.places = NAMES_FIRST; grown.places < 3 * (names->live + 1);)
+		grown.places *= 2;
 	grown.place = calloc(grown.places, sizeof(*grown.place));
 	if (!grown.place)
 		return false;
 	for (uint32_t i = 0; i < names->places; i++)
-		if (names->place[i].object) {
+		if (names->place[i].object)
 			*names_place(&grown, names->place[i].name) = names->place[i];
-			grown.used++;
-		}
 	free(names->place);
 	*names = grown;
 	return true;
@@ -48,14 +50,16 @@ static bool names_grow(struct gloss_names *names)
 
 bool gloss_names_set(struct gloss_names *names, uint32_t name, void *object)
 {
+	const bool had = gloss_names_find(names, name);
 	struct gloss_name *place;
 
-	if (!name || (!object && !gloss_names_find(names, name)))
+	if (!name || (!object && !had))
 		return true;
-	if (!names_grow(names))
+	if (!had && !names_grow(names))
 		return false;
 	place = names_place(names, name);
 	names->used += !place->name;
+	names->live += (uint32_t)(object != NULL) - (uint32_t)had;
 	*place = (struct gloss_name){ name, object };
 	if (name > names->greatest)
 		names->greatest = name;

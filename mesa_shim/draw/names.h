@@ -14,11 +14,12 @@ struct gloss_name {
 struct gloss_names {
 	struct gloss_name *place;
 	uint32_t places, used; /* a power of two; those with a name, deleted or not */
+	uint32_t live;         /* names with an object */
 	uint32_t greatest;
 };
 
 void *gloss_names_find(const struct gloss_names *names, uint32_t name);
-/* @object NULL: it has none any more. False: out of memory, and nothing changed. */
+/* @object NULL: it has none any more, which never fails. False: out of memory, and nothing changed. */
 bool gloss_names_set(struct gloss_names *names, uint32_t name, void *object);
 /* The first of @count names in a row that nothing has; 0: there are none. */
 uint32_t gloss_names_free_range(const struct gloss_names *names, uint32_t count);

@@ -21,6 +21,12 @@ $(BUILD)/tests/gl/test_gl_api.o: $(GL_CALLS)
 $(BUILD)/tests/gl/test_gl_api: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
 $(BUILD)/tests/gl/test_gl_api: private LIBS := -lcmocka -lEGL -lGL $(GL_LIBS) $(ACCEL_LIBS)
 
+# Parts of the library alone.
+FLAGS_tests/gl/test_gl_names.c = -Imesa_shim
+$(BUILD)/tests/gl/test_gl_names: $(BUILD)/mesa_shim/draw/names.o
+$(BUILD)/tests/gl/test_gl_names: private LIBS := -lcmocka
+$(eval $(call unit_run,$(BUILD)/tests/gl/test_gl_names))
+
 $(GL_EGL_TESTS:%=run-%): run-%: $(BUILD)/tests/gl/% $(GL_FILES)
 	$(call quiet,TEST,$*)
 	$(Q)env -u DISPLAY $(GL_RUN) $<
@@ -33,7 +39,7 @@ run-test_glx: $(BUILD)/tests/gl/test_glx $(GL_FILES)
 	$(Q)tests/gl/with_xvfb 24+noshm $(GL_RUN) $<
 
 ifneq ($(GL_FOUND),)
-UNIT_TESTS += $(GL_TESTS)
+UNIT_TESTS += $(GL_TESTS) test_gl_names
 endif
 
 # mesa-utils' programs, as they are, say what is true.
