@@ -31,8 +31,8 @@ size_t gloss_array_stride(const struct gloss_client_array *array)
 	return gloss_array_type_size(array->type) * (size_t)array->size;
 }
 
-const void *gloss_array_data(struct gloss_context *context, const struct gloss_client_array *array,
-			     size_t *end)
+const void *gloss_array_data(const struct gloss_context *context,
+			     const struct gloss_client_array *array, size_t *end)
 {
 	const size_t offset = (size_t)array->pointer, stride = gloss_array_stride(array);
 	const size_t element = gloss_array_type_size(array->type) * (size_t)array->size;

@@ -15,8 +15,9 @@ size_t gloss_array_type_size(GLenum type);
 /* Bytes from an element to the next. */
 size_t gloss_array_stride(const struct gloss_client_array *array);
 /* The first element, in memory or a buffer; NULL: there is none. @end, if not NULL: how many
- * elements there are, which is as many as you like in a program's memory. */
-const void *gloss_array_data(struct gloss_context *context, const struct gloss_client_array *array,
-			     size_t *end);
+ * elements there are, which is as many as you like in a program's memory. The caller holds buffer_lock,
+ * and has the data as long as that. */
+const void *gloss_array_data(const struct gloss_context *context,
+			     const struct gloss_client_array *array, size_t *end);
 
 #endif

@@ -3,6 +3,7 @@
  * Draws of vertex arrays. They go to libaccel as they lie in memory; those that a list records are
  * its vertices.
  */
+#include <pthread.h>
 #include <string.h>
 
 #include "api/convert.h"
@@ -10,35 +11,46 @@
 #include "draw/batch.h"
 #include "draw/buffer.h"
 #include "draw/emit.h"
+#include "draw/shared.h"
 #include "state/command.h"
 
-/* Number @i at @at. @unit: integers stand for -1 to 1, or 0 to 1. */
-static GLfloat array_number(const void *at, GLenum type, size_t i, bool unit)
+/* The number at @at, which may be odd. @unit: integers stand for -1 to 1, or 0 to 1. */
+static GLfloat array_number(const void *at, GLenum type, bool unit)
 {
+	union {
+		GLbyte b;
+		GLubyte ub;
+		GLshort s;
+		GLushort us;
+		GLint i;
+		GLuint ui;
+		GLfloat f;
+		GLdouble d;
+	} number = { 0 };
+
+	memcpy(&number, at, gloss_array_type_size(type));
 	switch (type) {
 	case GL_BYTE:
-		return unit ? gloss_from_b(((const GLbyte *)at)[i]) : ((const GLbyte *)at)[i];
+		return unit ? gloss_from_b(number.b) : number.b;
 	case GL_UNSIGNED_BYTE:
-		return unit ? gloss_from_ub(((const GLubyte *)at)[i]) : ((const GLubyte *)at)[i];
+		return unit ? gloss_from_ub(number.ub) : number.ub;
 	case GL_SHORT:
-		return unit ? gloss_from_s(((const GLshort *)at)[i]) : ((const GLshort *)at)[i];
+		return unit ? gloss_from_s(number.s) : number.s;
 	case GL_UNSIGNED_SHORT:
-		return unit ? gloss_from_us(((const GLushort *)at)[i]) : ((const GLushort *)at)[i];
+		return unit ? gloss_from_us(number.us) : number.us;
 	case GL_INT:
-		return unit ? gloss_from_i(((const GLint *)at)[i]) :
-			      (GLfloat)((const GLint *)at)[i];
+		return unit ? gloss_from_i(number.i) : (GLfloat)number.i;
 	case GL_UNSIGNED_INT:
-		return unit ? gloss_from_ui(((const GLuint *)at)[i]) :
-			      (GLfloat)((const GLuint *)at)[i];
+		return unit ? gloss_from_ui(number.ui) : (GLfloat)number.ui;
 	case GL_DOUBLE:
-		return (GLfloat)((const GLdouble *)at)[i];
+		return (GLfloat)number.d;
 	default:
-		return ((const GLfloat *)at)[i];
+		return number.f;
 	}
 }
 
 /* Element @i; what an array has not is 0, and the last 1. False: the array is off. */
-static bool array_fetch(struct gloss_context *context, const struct gloss_client_array *array,
+static bool array_fetch(const struct gloss_context *context, const struct gloss_client_array *array,
 			GLint i, bool unit, GLfloat out[4])
 {
 	size_t end;
@@ -50,19 +62,16 @@ static bool array_fetch(struct gloss_context *context, const struct gloss_client
 		return false;
 	data += (ptrdiff_t)i * (ptrdiff_t)gloss_array_stride(array);
 	for (size_t j = 0; j < (size_t)array->size; j++)
-		out[j] = array_number(data, array->type, j, unit);
+		out[j] = array_number(data + j * gloss_array_type_size(array->type), array->type,
+				      unit);
 	return true;
 }
 
-void gl_ArrayElement(GLint i)
+static void array_element(struct gloss_context *context, GLint i)
 {
-	struct gloss_context *context = gloss_current();
-	const struct gloss_arrays *arrays;
+	const struct gloss_arrays *arrays = &context->client.arrays;
 	GLfloat v[4];
 
-	if (!context)
-		return;
-	arrays = &context->client.arrays;
 	for (GLenum unit = 0; unit < GLOSS_UNITS; unit++)
 		if (array_fetch(context, &arrays->texcoord[unit], i, false, v))
 			gl_MultiTexCoord4f(GL_TEXTURE0 + unit, v[0], v[1], v[2], v[3]);
@@ -80,6 +89,17 @@ void gl_ArrayElement(GLint i)
 		gl_Normal3f(v[0], v[1], v[2]);
 	if (array_fetch(context, &arrays->position, i, false, v))
 		gl_Vertex4f(v[0], v[1], v[2], v[3]);
+}
+
+void gl_ArrayElement(GLint i)
+{
+	struct gloss_context *context = gloss_current();
+
+	if (!context)
+		return;
+	pthread_rwlock_rdlock(&context->shared->buffer_lock);
+	array_element(context, i);
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
 }
 
 static enum accel_type array_accel_type(GLenum type)
@@ -105,7 +125,7 @@ static enum accel_type array_accel_type(GLenum type)
 }
 
 /* An array for libaccel, or the current value for all vertices where there is none. */
-static struct accel_array array_describe(struct gloss_context *context,
+static struct accel_array array_describe(const struct gloss_context *context,
 					 const struct gloss_client_array *array, bool unit,
 					 const GLfloat *current, uint32_t *vertices)
 {
@@ -163,11 +183,41 @@ static struct gloss_context *array_begin_draw(GLenum mode, GLsizei count)
 	return NULL;
 }
 
-static void array_record(GLenum mode, GLint first, GLsizei count)
+/* Whether a buffer that is drawn from is in the program's hands. */
+static bool array_is_mapped(const struct gloss_context *context,
+			    const struct gloss_client_array *array)
+{
+	const GLint name = array->enabled ? array->buffer : 0;
+	const struct gloss_buffer *buffer = gloss_buffer_find(context, name);
+
+	return buffer && buffer->access;
+}
+
+/* Before a draw looks into buffers: nobody else changes them until array_unlock. False: an error. */
+static bool array_lock(struct gloss_context *context)
+{
+	const struct gloss_arrays *arrays = &context->client.arrays;
+
+	pthread_rwlock_rdlock(&context->shared->buffer_lock);
+	if (!array_is_mapped(context, &arrays->position) &&
+	    !array_is_mapped(context, &arrays->colour) &&
+	    !array_is_mapped(context, &arrays->normal))
+		return true;
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
+	gloss_error(context, GL_INVALID_OPERATION);
+	return false;
+}
+
+static void array_unlock(struct gloss_context *context)
+{
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
+}
+
+static void array_record(struct gloss_context *context, GLenum mode, GLint first, GLsizei count)
 {
 	gl_Begin(mode);
 	for (GLint i = first; i < first + count; i++)
-		gl_ArrayElement(i);
+		array_element(context, i);
 	gl_End();
 }
 
@@ -215,26 +265,35 @@ void gl_MultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, G
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
+	if (!array_lock(context))
+		return;
 	if (!context->compiling.list)
 		gloss_batch_draw(context);
 	for (GLsizei i = 0, some; i < drawcount; i += some) {
 		some = 1;
 		if (context->compiling.list) {
-			array_record(mode, first[i], count[i]);
+			array_record(context, mode, first[i], count[i]);
 			continue;
 		}
 		some = drawcount - i < ARRAY_PRIMITIVES ? drawcount - i : ARRAY_PRIMITIVES;
 		array_send_ranges(context, mode, first + i, count + i, some);
 	}
+	array_unlock(context);
 }
 
-static GLuint array_index(GLenum type, const void *indices, GLsizei i)
+static GLuint array_index(GLenum type, const GLubyte *indices, GLsizei i)
 {
+	GLushort two;
+	GLuint four;
+
 	if (type == GL_UNSIGNED_BYTE)
-		return ((const GLubyte *)indices)[i];
-	if (type == GL_UNSIGNED_SHORT)
-		return ((const GLushort *)indices)[i];
-	return ((const GLuint *)indices)[i];
+		return indices[i];
+	if (type == GL_UNSIGNED_SHORT) {
+		memcpy(&two, indices + (size_t)i * sizeof(two), sizeof(two));
+		return two;
+	}
+	memcpy(&four, indices + (size_t)i * sizeof(four), sizeof(four));
+	return four;
 }
 
 /* The indices, which may be in a buffer; NULL: they are not all there. */
@@ -249,24 +308,19 @@ static const void *array_indices(struct gloss_context *context, GLenum type, GLs
 	buffer = gloss_buffer_find(context, context->client.arrays.element_buffer);
 	if (!buffer || !buffer->data || offset > buffer->size || size > buffer->size - offset)
 		return NULL;
+	if (buffer->access) {
+		gloss_error(context, GL_INVALID_OPERATION);
+		return NULL;
+	}
 	return buffer->data + offset;
 }
 
-void gl_DrawElements(GLenum mode, GLsizei count, GLenum type, const void *indices)
+static void array_draw_indexed(struct gloss_context *context, GLenum mode, GLsizei count,
+			       GLenum type, const void *indices)
 {
-	struct gloss_context *context = array_begin_draw(mode, count);
 	const struct accel_primitive primitive = { (enum accel_topology)mode, 0, (uint32_t)count };
 	GLuint greatest = 0;
 
-	if (!context)
-		return;
-	if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
-		gloss_error(context, GL_INVALID_ENUM);
-		return;
-	}
-	indices = array_indices(context, type, count, indices);
-	if (!indices)
-		return;
 	if (!context->compiling.list) {
 		const struct accel_elements elements = ACCEL_ELEMENTS(
 				.primitive = &primitive, .primitives = 1,
@@ -281,8 +335,26 @@ void gl_DrawElements(GLenum mode, GLsizei count, GLenum type, const void *indice
 	}
 	gl_Begin(mode);
 	for (GLsizei i = 0; i < count; i++)
-		gl_ArrayElement((GLint)array_index(type, indices, i));
+		array_element(context, (GLint)array_index(type, indices, i));
 	gl_End();
+}
+
+void gl_DrawElements(GLenum mode, GLsizei count, GLenum type, const void *indices)
+{
+	struct gloss_context *context = array_begin_draw(mode, count);
+
+	if (!context)
+		return;
+	if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
+		gloss_error(context, GL_INVALID_ENUM);
+		return;
+	}
+	if (!array_lock(context))
+		return;
+	indices = array_indices(context, type, count, indices);
+	if (indices)
+		array_draw_indexed(context, mode, count, type, indices);
+	array_unlock(context);
 }
 
 void gl_DrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,

@@ -8,14 +8,9 @@
 #include "draw/shared.h"
 #include "state/command.h"
 
-struct gloss_buffer *gloss_buffer_find(struct gloss_context *context, int name)
+struct gloss_buffer *gloss_buffer_find(const struct gloss_context *context, int name)
 {
-	struct gloss_buffer *buffer;
-
-	pthread_mutex_lock(&context->shared->lock);
-	buffer = gloss_names_find(&context->shared->buffers, (uint32_t)name);
-	pthread_mutex_unlock(&context->shared->lock);
-	return buffer;
+	return gloss_names_find(&context->shared->buffers, (uint32_t)name);
 }
 
 void gloss_buffer_free(struct gloss_buffer *buffer)
@@ -47,7 +42,7 @@ void gl_GenBuffers(GLsizei n, GLuint *buffers)
 {
 	struct gloss_context *context = gloss_outside();
 	GLuint first;
-	bool ok = true;
+	bool ok;
 
 	if (!context)
 		return;
@@ -55,13 +50,14 @@ void gl_GenBuffers(GLsizei n, GLuint *buffers)
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
-	pthread_mutex_lock(&context->shared->lock);
+	pthread_rwlock_wrlock(&context->shared->buffer_lock);
 	first = gloss_names_free_range(&context->shared->buffers, (GLuint)n);
-	for (GLsizei i = 0; i < n; i++) {
+	ok = first;
+	for (GLsizei i = 0; ok && i < n; i++) {
 		buffers[i] = first + (GLuint)i;
-		ok = ok && buffer_make(context->shared, buffers[i]);
+		ok = buffer_make(context->shared, buffers[i]);
 	}
-	pthread_mutex_unlock(&context->shared->lock);
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
 	if (!ok)
 		gloss_error(context, GL_OUT_OF_MEMORY);
 }
@@ -85,14 +81,13 @@ void gl_DeleteBuffers(GLsizei n, const GLuint *buffers)
 	if (n < 0)
 		gloss_error(context, GL_INVALID_VALUE);
 	for (GLsizei i = 0; i < n; i++) {
-		struct gloss_buffer *buffer = gloss_buffer_find(context, (int)buffers[i]);
+		struct gloss_buffer *buffer;
 
-		if (!buffer)
-			continue;
 		buffer_unbind(context, (GLint)buffers[i]);
-		pthread_mutex_lock(&context->shared->lock);
+		pthread_rwlock_wrlock(&context->shared->buffer_lock);
+		buffer = gloss_buffer_find(context, (int)buffers[i]);
 		gloss_names_set(&context->shared->buffers, buffers[i], NULL);
-		pthread_mutex_unlock(&context->shared->lock);
+		pthread_rwlock_unlock(&context->shared->buffer_lock);
 		gloss_buffer_free(buffer);
 	}
 }
@@ -100,8 +95,14 @@ void gl_DeleteBuffers(GLsizei n, const GLuint *buffers)
 GLboolean gl_IsBuffer(GLuint buffer)
 {
 	struct gloss_context *context = gloss_outside();
+	bool is;
 
-	return context && gloss_buffer_find(context, (int)buffer);
+	if (!context)
+		return GL_FALSE;
+	pthread_rwlock_rdlock(&context->shared->buffer_lock);
+	is = gloss_buffer_find(context, (int)buffer);
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
+	return is;
 }
 
 static GLint *buffer_binding(struct gloss_context *context, GLenum target)
@@ -122,62 +123,75 @@ void gl_BindBuffer(GLenum target, GLuint buffer)
 
 	if (!binding)
 		return;
-	pthread_mutex_lock(&context->shared->lock);
+	pthread_rwlock_wrlock(&context->shared->buffer_lock);
 	made = buffer_make(context->shared, buffer);
-	pthread_mutex_unlock(&context->shared->lock);
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
 	if (made)
 		*binding = (GLint)buffer;
 	else
 		gloss_error(context, GL_OUT_OF_MEMORY);
 }
 
-/* The buffer that is bound; NULL and an error: there is none. */
-static struct gloss_buffer *buffer_bound(GLenum target, struct gloss_context **out)
+/*
+ * The buffer that is bound, in @out, for this thread alone until buffer_close; NULL and an error:
+ * there is none.
+ */
+static struct gloss_context *buffer_open(GLenum target, struct gloss_buffer **out)
 {
 	struct gloss_context *context = gloss_outside();
 	const GLint *binding = context ? buffer_binding(context, target) : NULL;
-	struct gloss_buffer *buffer;
 
-	*out = context;
 	if (!binding)
 		return NULL;
-	buffer = gloss_buffer_find(context, *binding);
-	if (!buffer)
-		gloss_error(context, GL_INVALID_OPERATION);
-	return buffer;
+	pthread_rwlock_wrlock(&context->shared->buffer_lock);
+	*out = gloss_buffer_find(context, *binding);
+	if (*out)
+		return context;
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
+	gloss_error(context, GL_INVALID_OPERATION);
+	return NULL;
+}
+
+static void buffer_close(struct gloss_context *context)
+{
+	pthread_rwlock_unlock(&context->shared->buffer_lock);
+}
+
+/* False: out of memory, and the buffer is as it was. @data NULL: zeroes. */
+static bool buffer_fill(struct gloss_buffer *buffer, size_t size, const void *data, GLenum usage)
+{
+	/* Its address says that there is data also where the size is 0. */
+	uint8_t *copy = data ? malloc(size + 1) : calloc(1, size + 1);
+
+	if (!copy)
+		return false;
+	if (data)
+		memcpy(copy, data, size);
+	free(buffer->data);
+	*buffer = (struct gloss_buffer){ .data = copy, .size = size, .usage = usage };
+	return true;
 }
 
 void gl_BufferData(GLenum target, GLsizeiptr size, const void *data, GLenum usage)
 {
-	struct gloss_context *context;
-	struct gloss_buffer *buffer = buffer_bound(target, &context);
-	uint8_t *copy;
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
 
-	if (!buffer)
+	if (!context)
 		return;
-	if (size < 0 || usage < GL_STREAM_DRAW || usage > GL_DYNAMIC_COPY || usage % 4 == 3) {
-		gloss_error(context, size < 0 ? GL_INVALID_VALUE : GL_INVALID_ENUM);
-		return;
-	}
-	copy = calloc(1, (size_t)size + 1);
-	if (!copy) {
+	if (usage < GL_STREAM_DRAW || usage > GL_DYNAMIC_COPY || usage % 4 == 3)
+		gloss_error(context, GL_INVALID_ENUM);
+	else if (size < 0)
+		gloss_error(context, GL_INVALID_VALUE);
+	else if (!buffer_fill(buffer, (size_t)size, data, usage))
 		gloss_error(context, GL_OUT_OF_MEMORY);
-		return;
-	}
-	if (data)
-		memcpy(copy, data, (size_t)size);
-	free(buffer->data);
-	*buffer = (struct gloss_buffer){ .data = copy, .size = (size_t)size, .usage = usage };
+	buffer_close(context);
 }
 
-/* Bytes of a buffer that is not mapped; NULL and an error: they are not there. */
-static uint8_t *buffer_part(GLenum target, GLintptr offset, GLsizeiptr size)
+/* Those bytes; NULL and an error: they are not there, or mapped. */
+static uint8_t *buffer_part(struct gloss_context *context, const struct gloss_buffer *buffer,
+			    GLintptr offset, GLsizeiptr size)
 {
-	struct gloss_context *context;
-	struct gloss_buffer *buffer = buffer_bound(target, &context);
-
-	if (!buffer)
-		return NULL;
 	if (offset < 0 || size < 0 || (size_t)offset > buffer->size ||
 	    (size_t)size > buffer->size - (size_t)offset) {
 		gloss_error(context, GL_INVALID_VALUE);
@@ -192,60 +206,74 @@ static uint8_t *buffer_part(GLenum target, GLintptr offset, GLsizeiptr size)
 
 void gl_BufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void *data)
 {
-	uint8_t *part = buffer_part(target, offset, size);
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
+	uint8_t *part;
 
-	if (part)
+	if (!context)
+		return;
+	part = buffer_part(context, buffer, offset, size);
+	if (part && size)
 		memcpy(part, data, (size_t)size);
+	buffer_close(context);
 }
 
 void gl_GetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void *data)
 {
-	const uint8_t *part = buffer_part(target, offset, size);
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
+	const uint8_t *part;
 
-	if (part)
+	if (!context)
+		return;
+	part = buffer_part(context, buffer, offset, size);
+	if (part && size)
 		memcpy(data, part, (size_t)size);
+	buffer_close(context);
 }
 
 void *gl_MapBuffer(GLenum target, GLenum access)
 {
-	struct gloss_context *context;
-	struct gloss_buffer *buffer = buffer_bound(target, &context);
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
+	void *data = NULL;
 
-	if (!buffer)
+	if (!context)
 		return NULL;
 	if (access != GL_READ_ONLY && access != GL_WRITE_ONLY && access != GL_READ_WRITE) {
 		gloss_error(context, GL_INVALID_ENUM);
-		return NULL;
+	} else if (buffer->access || !buffer->data) {
+		gloss_error(context, buffer->access ? GL_INVALID_OPERATION : GL_OUT_OF_MEMORY);
+	} else {
+		buffer->access = access;
+		data = buffer->data;
 	}
-	if (buffer->access) {
-		gloss_error(context, GL_INVALID_OPERATION);
-		return NULL;
-	}
-	buffer->access = access;
-	return buffer->data;
+	buffer_close(context);
+	return data;
 }
 
 GLboolean gl_UnmapBuffer(GLenum target)
 {
-	struct gloss_context *context;
-	struct gloss_buffer *buffer = buffer_bound(target, &context);
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
+	bool mapped;
 
-	if (!buffer)
+	if (!context)
 		return GL_FALSE;
-	if (!buffer->access) {
+	mapped = buffer->access;
+	if (!mapped)
 		gloss_error(context, GL_INVALID_OPERATION);
-		return GL_FALSE;
-	}
 	buffer->access = 0;
-	return GL_TRUE;
+	buffer_close(context);
+	return mapped;
 }
 
 void gl_GetBufferParameteriv(GLenum target, GLenum pname, GLint *params)
 {
-	struct gloss_context *context;
-	const struct gloss_buffer *buffer = buffer_bound(target, &context);
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
 
-	if (!buffer)
+	if (!context)
 		return;
 	if (pname == GL_BUFFER_SIZE)
 		*params = (GLint)buffer->size;
@@ -257,17 +285,19 @@ void gl_GetBufferParameteriv(GLenum target, GLenum pname, GLint *params)
 		*params = buffer->access != 0;
 	else
 		gloss_error(context, GL_INVALID_ENUM);
+	buffer_close(context);
 }
 
 void gl_GetBufferPointerv(GLenum target, GLenum pname, void **params)
 {
-	struct gloss_context *context;
-	const struct gloss_buffer *buffer = buffer_bound(target, &context);
+	struct gloss_buffer *buffer;
+	struct gloss_context *context = buffer_open(target, &buffer);
 
-	if (!buffer)
+	if (!context)
 		return;
 	if (pname == GL_BUFFER_MAP_POINTER)
 		*params = buffer->access ? buffer->data : NULL;
 	else
 		gloss_error(context, GL_INVALID_ENUM);
+	buffer_close(context);
 }

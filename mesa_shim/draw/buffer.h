@@ -14,8 +14,8 @@ struct gloss_buffer {
 	unsigned int usage, access; /* access: of the mapping, 0 without one */
 };
 
-/* NULL: there is none of this name. It lives until a context deletes it. */
-struct gloss_buffer *gloss_buffer_find(struct gloss_context *context, int name);
+/* NULL: there is none of this name. The caller holds buffer_lock, and has the buffer as long as that. */
+struct gloss_buffer *gloss_buffer_find(const struct gloss_context *context, int name);
 void gloss_buffer_free(struct gloss_buffer *buffer);
 
 #endif

@@ -74,8 +74,10 @@ static bool list_copy(struct gloss_vertices *to, const struct gloss_vertices *fr
 		gloss_vertices_free(to);
 		return false;
 	}
-	memcpy(to->vertex, from->vertex, from->vertices * sizeof(*to->vertex));
-	memcpy(to->primitive, from->primitive, from->primitives * sizeof(*to->primitive));
+	if (from->vertices)
+		memcpy(to->vertex, from->vertex, from->vertices * sizeof(*to->vertex));
+	if (from->primitives)
+		memcpy(to->primitive, from->primitive, from->primitives * sizeof(*to->primitive));
 	return true;
 }
 
@@ -173,9 +175,12 @@ static void list_append_vertices(struct gloss_context *context, const struct glo
 				 uint32_t first, uint32_t end)
 {
 	struct gloss_vertices *vertices = &context->immediate;
-	struct gloss_vertex *to = vertices->vertex + vertices->vertices;
 	const char *current = (const char *)&context->attributes.current.vertex;
+	struct gloss_vertex *to;
 
+	if (first == end)
+		return;
+	to = vertices->vertex + vertices->vertices;
 	memcpy(to, part->vertex + first, (end - first) * sizeof(*to));
 	for (size_t i = 0; i < LIST_ATTRIBUTES; i++)
 		for (uint32_t j = first; j < end && j < part->unset[i]; j++)

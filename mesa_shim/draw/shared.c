@@ -12,12 +12,18 @@ struct gloss_shared *gloss_shared_new(void)
 
 	if (!shared)
 		return NULL;
-	if (pthread_mutex_init(&shared->lock, NULL)) {
-		free(shared);
-		return NULL;
-	}
+	if (pthread_mutex_init(&shared->lock, NULL))
+		goto free_shared;
+	if (pthread_rwlock_init(&shared->buffer_lock, NULL))
+		goto destroy_lock;
 	shared->references = 1;
 	return shared;
+
+destroy_lock:
+	pthread_mutex_destroy(&shared->lock);
+free_shared:
+	free(shared);
+	return NULL;
 }
 
 struct gloss_shared *gloss_shared_ref(struct gloss_shared *shared)
@@ -43,6 +49,7 @@ void gloss_shared_unref(struct gloss_shared *shared)
 		gloss_buffer_free(shared->buffers.place[i].object);
 	free(shared->buffers.place);
 	free(shared->lists.place);
+	pthread_rwlock_destroy(&shared->buffer_lock);
 	pthread_mutex_destroy(&shared->lock);
 	free(shared);
 }

@@ -8,9 +8,15 @@
 
 /* What contexts share. */
 struct gloss_shared {
-	pthread_mutex_t lock; /* of all that follows */
+	pthread_mutex_t lock; /* of the next two */
 	unsigned int references;
-	struct gloss_names lists, buffers;
+	struct gloss_names lists;
+	/*
+	 * Of the buffers and of what is in them. Draws hold it as readers, so that no other thread ends
+	 * or changes what is drawn from. It is not taken twice.
+	 */
+	pthread_rwlock_t buffer_lock;
+	struct gloss_names buffers;
 };
 
 #endif

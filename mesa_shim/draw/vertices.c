@@ -100,6 +100,10 @@ void gloss_vertices_end(struct gloss_vertices *vertices)
 	vertices->inside = false;
 	last->count = vertices_whole(last->topology, vertices->vertices - last->first);
 	vertices->vertices = last->first + last->count;
+	/* What was set in a list while the forgotten ones came, was before the next. */
+	for (size_t i = 0; i < sizeof(vertices->unset) / sizeof(vertices->unset[0]); i++)
+		if (vertices->unset[i] > vertices->vertices)
+			vertices->unset[i] = vertices->vertices;
 	if (!last->count) {
 		vertices->primitives--;
 	} else if (vertices->primitives > 1 && before->topology == last->topology &&

@@ -5,11 +5,13 @@
 GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=gloss \
 	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: vblank_mode=0
 
-GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_draw test_gl_array test_gl_api
+GL_SCENE_TESTS := test_gl_draw test_gl_array test_gl_share
+GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_api $(GL_SCENE_TESTS)
 GL_TESTS := $(GL_EGL_TESTS) test_glx
 GL_PROGRAMS := $(GL_TESTS:%=$(BUILD)/tests/gl/%)
 $(GL_PROGRAMS): private LIBS := -lcmocka -lEGL -lGL -lX11 -lxcb -pthread
 $(GL_PROGRAMS): $(BUILD)/tests/gl/gl_display.o
+$(GL_SCENE_TESTS:%=$(BUILD)/tests/gl/%): $(BUILD)/tests/gl/gl_scene.o
 
 # Its calls are generated, and it asks the table of commands which of them there are.
 GL_CALLS := $(BUILD)/generated/api_calls.inc

@@ -1,62 +1,8 @@
 // SPDX-License-Identifier: MIT
 /* What is drawn: immediate mode, lists, clears, pixels that are read. */
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "gl_scene.h"
+
 #include <string.h>
-
-#include "gl_display.h"
-
-#define SIZE 64
-#define RED 0xff0000ffu
-#define GREEN 0xff00ff00u
-#define BLUE 0xffff0000u
-#define WHITE 0xffffffffu
-#define BLACK 0xff000000u
-
-static struct gl_display gl;
-
-/* One unit is one pixel. */
-static int setup(void **state)
-{
-	(void)state;
-	gl_display_open(&gl);
-	gl_display_context(&gl, gl_display_pbuffer(&gl, SIZE, SIZE), EGL_NO_CONTEXT);
-	gl_clear(BLACK);
-	glMatrixMode(GL_PROJECTION);
-	glOrtho(0, SIZE, 0, SIZE, -1, 1);
-	glMatrixMode(GL_MODELVIEW);
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	(void)state;
-	assert_int_equal(glGetError(), GL_NO_ERROR);
-	assert_true(eglMakeCurrent(gl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
-	assert_true(eglTerminate(gl.display));
-	assert_true(eglReleaseThread());
-	return 0;
-}
-
-/* The corners of a square of eight pixels. */
-static void square_corners(int x, int y)
-{
-	glVertex2i(x, y);
-	glVertex2i(x + 8, y);
-	glVertex2i(x + 8, y + 8);
-	glVertex2i(x, y + 8);
-}
-
-static void square(int x, int y)
-{
-	glBegin(GL_QUADS);
-	square_corners(x, y);
-	glEnd();
-}
 
 static void a_square_is_where_it_belongs(void **state)
 {
@@ -318,6 +264,27 @@ static void a_list_may_be_part_of_a_primitive(void **state)
 	assert_int_equal(gl_pixel(20, 4), WHITE);
 }
 
+/* Colours of a list belong to the vertices after them, also where leftovers came between. */
+static void a_list_keeps_colours_after_leftovers(void **state)
+{
+	(void)state;
+	glNewList(1, GL_COMPILE);
+	glBegin(GL_QUADS);
+	square_corners(0, 0);
+	glVertex2i(30, 30);
+	glVertex2i(40, 30);
+	glColor3f(1, 0, 0);
+	glEnd();
+	square(16, 0);
+	glEndList();
+	glColor3f(0, 1, 0);
+	glCallList(1);
+	assert_int_equal(gl_pixel(4, 4), GREEN);
+	assert_int_equal(gl_pixel(17, 1), RED);
+	assert_int_equal(gl_pixel(23, 1), RED);
+	assert_int_equal(gl_pixel(20, 6), RED);
+}
+
 static void lists_are_called_by_base_and_bytes(void **state)
 {
 	static const GLubyte text[] = { 'a', 'b' };
@@ -451,8 +418,6 @@ static void a_clip_plane_cuts(void **state)
 	assert_int_equal(gl_pixel(3, 4), WHITE);
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -470,6 +435,7 @@ int main(void)
 		TEST(a_list_is_drawn_as_it_was_compiled),
 		TEST(compile_and_execute_draws_once),
 		TEST(a_list_may_be_part_of_a_primitive),
+		TEST(a_list_keeps_colours_after_leftovers),
 		TEST(lists_are_called_by_base_and_bytes),
 		TEST(pixels_are_read_in_each_form),
 		TEST(a_bitmap_is_at_the_raster_position),
