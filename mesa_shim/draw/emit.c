@@ -2,6 +2,7 @@
 #include "draw/emit.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -9,18 +10,26 @@
 #include "state/command.h"
 #include "window/surface.h"
 
+/* The top row of a box. OpenGL counts rows from the bottom, a target from the top. */
+static int emit_top(const struct gloss_context *context, const GLint box[4])
+{
+	const int64_t top = (int64_t)context->height - box[1] - box[3];
+
+	if (top < INT_MIN)
+		return INT_MIN;
+	return top > INT_MAX ? INT_MAX : (int)top;
+}
+
 static void emit_viewport(struct gloss_context *context, struct accel_state *state)
 {
 	const GLint *box = context->attributes.viewport.box;
 	const GLint *cut = context->attributes.scissor.box;
 
-	/* OpenGL counts rows from the bottom, a target from the top. */
-	accel_state_set_viewport(state, box[0], context->height - box[1] - box[3], box[2], box[3]);
+	accel_state_set_viewport(state, box[0], emit_top(context, box), box[2], box[3]);
 	accel_state_set_depth_range(state, context->attributes.viewport.range[0],
 				    context->attributes.viewport.range[1]);
 	if (context->attributes.scissor.test)
-		accel_state_set_scissor(state, cut[0], context->height - cut[1] - cut[3], cut[2],
-					cut[3]);
+		accel_state_set_scissor(state, cut[0], emit_top(context, cut), cut[2], cut[3]);
 	else
 		accel_state_set_scissor(state, 0, 0, -1, -1);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /* Lists by their names, which contexts share: glNewList to glDeleteLists. */
-#include <limits.h>
+#include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
 
@@ -8,6 +8,7 @@
 #include "draw/names.h"
 #include "draw/shared.h"
 #include "state/command.h"
+#include "state/get.h"
 
 /* The list, which is the caller's to give back; NULL: there is none. */
 static struct gloss_list *list_take(struct gloss_shared *shared, GLuint name)
@@ -141,7 +142,7 @@ static GLint list_offset(GLenum type, const void *lists, GLsizei i)
 	case GL_UNSIGNED_SHORT:
 		return ((const GLushort *)lists)[i];
 	case GL_FLOAT:
-		return (GLint)((const GLfloat *)lists)[i];
+		return gloss_get_integer(GLOSS_FLOAT, floor((double)((const GLfloat *)lists)[i]));
 	case GL_2_BYTES:
 		return bytes[2 * i] << 8 | bytes[2 * i + 1];
 	case GL_3_BYTES:

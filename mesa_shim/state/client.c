@@ -2,6 +2,7 @@
 #include "state/client.h"
 
 #include "state/command.h"
+#include "state/get.h"
 
 static void client_init_array(struct gloss_client_array *array, GLint size)
 {
@@ -85,5 +86,5 @@ void gl_PixelStorei(GLenum pname, GLint param)
 
 void gl_PixelStoref(GLenum pname, GLfloat param)
 {
-	gl_PixelStorei(pname, (GLint)(param + (param < 0 ? -0.5f : 0.5f)));
+	gl_PixelStorei(pname, gloss_get_integer(GLOSS_FLOAT, (double)param));
 }

@@ -45,8 +45,7 @@ GLOSS_LISTED2(FogVector, GLenum, pname, struct gloss_vector, value)
 	else if (pname == GL_FOG_COLOR)
 		for (int i = 0; i < 4; i++)
 			fog->colour[i] = fminf(fmaxf(value.v[i], 0), 1);
-	else if (!(value.v[0] >= 0 && value.v[0] < 65536) ||
-		 !fog_set_enum(fog, pname, (GLenum)value.v[0]))
+	else if (!fog_set_enum(fog, pname, gloss_parameter_enum(value.v[0])))
 		gloss_error(context, GL_INVALID_ENUM);
 }
 

@@ -136,7 +136,7 @@ void gl_Lighti(GLenum light, GLenum pname, GLint param)
 GLOSS_LISTED2(LightModelVector, GLenum, pname, struct gloss_vector, value)
 {
 	struct gloss_lighting *lighting = &context->attributes.lighting;
-	GLenum control = (GLenum)value.v[0];
+	const GLenum control = gloss_parameter_enum(value.v[0]);
 
 	gloss_change(context, GLOSS_DIRTY_LIGHTING);
 	switch (pname) {

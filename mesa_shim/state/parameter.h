@@ -27,4 +27,10 @@ static inline struct gloss_vector gloss_parameter_integers(const GLint *params, 
 	return vector;
 }
 
+/* The enum that a number stands for; ~0: none. */
+static inline GLenum gloss_parameter_enum(GLfloat value)
+{
+	return value >= 0 && value < 65536 ? (GLenum)value : ~0u;
+}
+
 #endif

@@ -7,6 +7,7 @@ GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=g
 
 GL_SCENE_TESTS := test_gl_draw test_gl_array test_gl_share
 GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_api $(GL_SCENE_TESTS)
+GL_THREAD_TESTS := test_egl_context test_gl_draw test_gl_share
 GL_TESTS := $(GL_EGL_TESTS) test_glx
 GL_PROGRAMS := $(GL_TESTS:%=$(BUILD)/tests/gl/%)
 $(GL_PROGRAMS): private LIBS := -lcmocka -lEGL -lGL -lX11 -lxcb -pthread
@@ -42,6 +43,8 @@ run-test_glx: $(BUILD)/tests/gl/test_glx $(GL_FILES)
 
 ifneq ($(GL_FOUND),)
 UNIT_TESTS += $(GL_TESTS) test_gl_names
+SANITIZED_TESTS += $(GL_EGL_TESTS)
+THREAD_TESTS += $(GL_THREAD_TESTS)
 endif
 
 # mesa-utils' programs, as they are, say what is true.

@@ -167,18 +167,19 @@ $(call unit,$(DECODE_UNIT_TESTS)): $(DECODE_OBJECTS)
 # ---- the same with the compiler's checks built in, on the simulators of this build ----
 
 SANITIZED_TESTS = $(MODEL_TESTS) $(DRAW_UNIT_TESTS) $(ACCEL_UNIT_TESTS) $(BOARD_UNIT_TESTS)
+THREAD_TESTS = $(ACCEL_UNIT_TESTS)
 SANITIZED_CFLAGS := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all
 SANITIZED_MAKE = $(MAKE) --no-print-directory SIM_DIR=$(SIM_DIR)
 
 .PHONY: unit-sanitize unit-thread unit-valgrind
-unit-sanitize: $(ACCEL_TEST_SIMS) ## unit tests of library and model under ASan and UBSan
+unit-sanitize: $(ACCEL_TEST_SIMS) ## unit tests of library, model and OpenGL under ASan and UBSan
 	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
 		$(SANITIZED_TESTS:%=run-%)
 
-unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library under TSan
-	$(Q)+TSAN_OPTIONS=halt_on_error=1 $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
-		CFLAGS='-O1 -g -fsanitize=thread' $(ACCEL_UNIT_TESTS:%=run-%)
+unit-thread: $(ACCEL_TEST_SIMS) ## unit tests of the library and OpenGL under TSan
+	$(Q)+TSAN_OPTIONS='halt_on_error=1 die_after_fork=0' $(SANITIZED_MAKE) BUILD=$(BUILD)/tsan \
+		CFLAGS='-O1 -g -fsanitize=thread' $(THREAD_TESTS:%=run-%)
 
 VALGRIND_TESTS := test_engine test_tile_threads test_workers test_device test_stream test_fence test_state \
 	test_transport_sim $(filter-out %_out_of_memory,$(DRM_TESTS) $(USB_UNIT_TESTS)) $(filter-out %_errors,$(USB_TESTS))
