@@ -123,8 +123,8 @@ struct accel_material {
  * With position[3] = 0 it is directional and position is the direction towards it; else it is
  * a point, at position / position[3]. A point is as bright at any distance; if one of
  * @attenuation is not 0, then 1/(c + l*d + q*d^2) of its light arrives at the distance d.
- * A point with a spot_cutoff is a spot: it shines so many degrees around spot_direction and no
- * farther.
+ * A light with a spot_cutoff is a spot: it shines so many degrees around spot_direction and no
+ * farther. A directional one is in the same place of its cone everywhere.
  */
 struct accel_light {
 	size_t size; /* of this struct, bytes: set by ACCEL_LIGHT() */

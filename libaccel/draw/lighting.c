@@ -23,10 +23,10 @@ static float lighting_normalise(float v[3])
 	return length;
 }
 
-static void lighting_product(float out[3], const float a[4], const float b[4])
+static void lighting_product(float out[3], const float a[4], const float b[4], float strength)
 {
 	for (int i = 0; i < 3; i++)
-		out[i] = a[i] * b[i];
+		out[i] = a[i] * b[i] * strength;
 }
 
 static float lighting_brightest(const float rgb[3])
@@ -50,14 +50,20 @@ static struct accel_material lighting_material(const struct accel_finish *finish
 	return material;
 }
 
-static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
-			       const struct accel_light *light, const struct accel_finish finish[2])
+/* What of a directional light's cone arrives, which is the same everywhere. */
+static float lighting_cone(const struct accel_lamp *lamp)
+{
+	const float cosine = -number_dot(lamp->position, lamp->cone_axis);
+
+	return cosine < lamp->cone_cosine ? 0 : powf(fmaxf(cosine, 0), lamp->cone_exponent);
+}
+
+static void lighting_lamp_place(struct accel_lamp *lamp, const struct accel_light *light)
 {
 	static const float ahead[3] = { 0, 0, 1 };
 
 	lamp->point = light->position[3] != 0;
 	lamp->spot = lamp->point && light->spot_cutoff <= 90;
-	lamp->shines = false;
 	lamp->cone_exponent = light->spot_exponent;
 	lamp->cone_cosine = cosf(light->spot_cutoff * (float)(3.14159265358979 / 180));
 	for (int i = 0; i < 3; i++) {
@@ -73,13 +79,25 @@ static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state
 	for (int i = 0; i < 3; i++)
 		lamp->half[i] = lamp->position[i] + ahead[i];
 	lighting_normalise(lamp->half);
+}
+
+static void lighting_lamp_init(struct accel_lamp *lamp, const struct accel_state *state,
+			       const struct accel_light *light, const struct accel_finish finish[2])
+{
+	float strength = 1;
+
+	lighting_lamp_place(lamp, light);
+	if (!lamp->point && light->spot_cutoff <= 90)
+		strength = lighting_cone(lamp);
+	lamp->shines = false;
 	for (int side = 0; side < 2; side++) {
 		const struct accel_material material = lighting_material(&finish[side], state,
 									 side);
 
-		lighting_product(lamp->ambient[side], light->ambient, material.ambient);
-		lighting_product(lamp->diffuse[side], light->diffuse, material.diffuse);
-		lighting_product(lamp->specular[side], light->specular, material.specular);
+		lighting_product(lamp->ambient[side], light->ambient, material.ambient, strength);
+		lighting_product(lamp->diffuse[side], light->diffuse, material.diffuse, strength);
+		lighting_product(lamp->specular[side], light->specular, material.specular,
+				 strength);
 		lamp->shines |= lighting_brightest(lamp->specular[side]) > 0;
 	}
 }
@@ -128,7 +146,7 @@ static void lighting_finish_init(struct accel_lighting *lighting, const struct a
 	const struct accel_material of = lighting_material(finish, state, side), *material = &of;
 	float diffuse[3] = { 0 }, specular[3] = { 0 };
 
-	lighting_product(finish->base, state->ambient, material->ambient);
+	lighting_product(finish->base, state->ambient, material->ambient, 1);
 	for (int i = 0; i < 3; i++) {
 		finish->base[i] += painted ? 0 : material->emission[i];
 		for (int j = 0; j < lighting->lamps; j++) {

@@ -34,10 +34,10 @@ static double reference_reach(const struct accel_light *light, const double eye[
 	}
 	distance = sqrt(dot(to, to));
 	unit(to);
-	if (light->position[3] == 0)
-		return 1;
-	factor = 1 / ((double)light->attenuation[0] + (double)light->attenuation[1] * distance +
-		      (double)light->attenuation[2] * distance * distance);
+	factor = 1;
+	if (light->position[3] != 0)
+		factor /= (double)light->attenuation[0] + (double)light->attenuation[1] * distance +
+			  (double)light->attenuation[2] * distance * distance;
 	if (light->spot_cutoff == 180)
 		return factor;
 	unit(axis);
