@@ -143,15 +143,15 @@ struct accel_light {
 #define ACCEL_WIDTH_MAX 64
 
 /*
- * Lines, drawn as so many whole pixels beside each other. Every @repeat pixels along a line, from
- * the beginning of its primitive on, the next bit of @stipple, from bit 0 on, says whether it is
- * drawn there.
+ * Lines, drawn as so many whole pixels beside each other. With a @repeat they have a stipple: every
+ * @repeat pixels along a line, from the beginning of its primitive on, the next bit of @stipple, from
+ * bit 0 on, says whether it is drawn there.
  */
 struct accel_line_style {
 	size_t size;      /* of this struct, bytes: set by ACCEL_LINE_STYLE() */
 	float width;      /* pixels, up to ACCEL_WIDTH_MAX; 0: 1 */
-	uint16_t stipple; /* 0: the line has no gaps */
-	uint16_t repeat;  /* 0: 1 */
+	uint16_t stipple; /* ignored without @repeat */
+	uint16_t repeat;  /* 0: the line has no gaps */
 };
 #define ACCEL_LINE_STYLE(...) ACCEL_SIZED(accel_line_style, __VA_ARGS__)
 

@@ -73,7 +73,7 @@ static double lines_length(const struct accel_vertex *a, const struct accel_vert
 /* The bit of the stipple that is at a distance, and where the next begins. */
 static bool lines_stippled(const struct accel_line_style *style, double distance, double *next)
 {
-	const int repeat = style->repeat ? style->repeat : 1;
+	const int repeat = style->repeat;
 	const double bit = (double)(int64_t)(distance / repeat);
 
 	*next = (bit + 1) * repeat;
@@ -124,7 +124,7 @@ static int lines_draw_one(struct lines *lines, const uint32_t index[2],
 		a = &polygon[0].vertex;
 		b = &polygon[1].vertex;
 	}
-	if (pass->state->line.stipple)
+	if (pass->state->line.repeat)
 		return lines_stipple(lines, a, b, &vertex[1]);
 	return lines_fill(lines, a, b, &vertex[1]);
 }

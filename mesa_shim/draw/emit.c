@@ -121,9 +121,8 @@ static void emit_line_and_point(const struct gloss_context *context, struct acce
 	const struct gloss_line *line = &context->attributes.line;
 	const struct gloss_point *point = &context->attributes.point;
 	const struct accel_line_style line_style = ACCEL_LINE_STYLE(
-			.width = line->width,
-			.stipple = line->stipple ? (uint16_t)line->pattern : 0,
-			.repeat = (uint16_t)line->repeat);
+			.width = line->width, .stipple = (uint16_t)line->pattern,
+			.repeat = line->stipple ? (uint16_t)line->repeat : 0);
 	const struct accel_point_style point_style = ACCEL_POINT_STYLE(
 			.width = point->size, .least = point->least, .most = point->most,
 			.attenuation = { point->attenuation[0], point->attenuation[1],

@@ -109,7 +109,7 @@ static void set_strokes(struct accel_state *state)
 							   .least = float_to(3));
 
 	if (one_in(2))
-		line.stipple = 0;
+		line.repeat = 0;
 	for (int i = 0; i < 3; i++)
 		point.attenuation[i] = one_in(2) ? float_to(1) : 0;
 	accel_state_set_line_style(state, &line);

@@ -169,6 +169,18 @@ static void a_stipple_is_counted_along_its_primitive(void **state)
 	}
 }
 
+static void a_stipple_without_a_bit_draws_nothing(void **state)
+{
+	static const float line[2][2] = { { 2, 30.5f }, { 62, 30.5f } };
+
+	line_width(*state, 3, 0, 1);
+	draw(*state, ACCEL_TOPOLOGY_LINES, line, 2, NULL);
+	assert_int_equal(drawn(), 0);
+	line_width(*state, 1, 0, 0);
+	draw(*state, ACCEL_TOPOLOGY_LINES, line, 2, NULL);
+	assert_int_equal(drawn(), 60);
+}
+
 static void colours_run_along_a_line_or_are_its_second_vertex_s(void **state)
 {
 	static const float line[2][2] = { { 0, 20.5f }, { 64, 20.5f } };
@@ -386,6 +398,7 @@ int main(void)
 		strokes_test(a_wide_line_is_wide_across_its_major_axis),
 		strokes_test(strips_and_loops_join_their_vertices),
 		strokes_test(a_stipple_is_counted_along_its_primitive),
+		strokes_test(a_stipple_without_a_bit_draws_nothing),
 		strokes_test(colours_run_along_a_line_or_are_its_second_vertex_s),
 		strokes_test(a_line_is_cut_where_it_leaves_the_view),
 		strokes_test(a_point_is_a_square_around_its_place),
