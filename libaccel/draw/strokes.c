@@ -73,5 +73,8 @@ int accel_strokes_fill(struct accel_pass *pass, struct accel_strokes *strokes,
 							      &corner[i + 1] },
 			    vertex, of_flat);
 	}
-	return strokes->seen.count >= most ? accel_strokes_flush(pass, strokes) : 0;
+	/* What has no area leaves vertices behind all the same. */
+	if (strokes->seen.count < most && !accel_group_full(pass->group))
+		return 0;
+	return accel_strokes_flush(pass, strokes);
 }

@@ -368,6 +368,19 @@ static void parts_of_no_pixel_are_many(void **state)
 	assert_int_equal(drawn(), 0);
 }
 
+/* They have vertices and no triangle, and a group holds only so many. */
+static void segments_of_no_length_are_many(void **state)
+{
+	enum { VERTICES = 100000 };
+	static float position[VERTICES][2];
+
+	for (int i = 0; i < VERTICES; i++)
+		position[i][0] = position[i][1] = i < VERTICES / 2 ? 20.5f : 30.5f;
+	line_width(*state, 1, 0, 0);
+	draw(*state, ACCEL_TOPOLOGY_LINE_STRIP, position, VERTICES, NULL);
+	assert_int_equal(drawn(), 10);
+}
+
 static void styles_that_are_none_are_refused(void **state)
 {
 	static const struct accel_line_style line[] = { { .width = 1 },
@@ -407,6 +420,7 @@ int main(void)
 		strokes_test(figures_are_drawn_in_the_order_of_the_call),
 		strokes_test(lines_are_lit_as_front_sides),
 		strokes_test(parts_of_no_pixel_are_many),
+		strokes_test(segments_of_no_length_are_many),
 		strokes_test(styles_that_are_none_are_refused),
 	};
 
