@@ -5,7 +5,7 @@
 GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=gloss \
 	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: vblank_mode=0
 
-GL_SCENE_TESTS := test_gl_draw test_gl_array test_gl_share
+GL_SCENE_TESTS := $(addprefix test_gl_, draw array list light pixel get share)
 GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_api $(GL_SCENE_TESTS)
 GL_THREAD_TESTS := test_egl_context test_gl_draw test_gl_share
 GL_TESTS := $(GL_EGL_TESTS) test_glx
@@ -25,10 +25,16 @@ $(BUILD)/tests/gl/test_gl_api: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
 $(BUILD)/tests/gl/test_gl_api: private LIBS := -lcmocka -lEGL -lGL $(GL_LIBS) $(ACCEL_LIBS)
 
 # Parts of the library alone.
+GL_PART_TESTS := test_gl_names test_gl_batch
 FLAGS_tests/gl/test_gl_names.c = -Imesa_shim
 $(BUILD)/tests/gl/test_gl_names: $(BUILD)/mesa_shim/draw/names.o
 $(BUILD)/tests/gl/test_gl_names: private LIBS := -lcmocka
-$(eval $(call unit_run,$(BUILD)/tests/gl/test_gl_names))
+FLAGS_tests/gl/test_gl_batch.c = -Imesa_shim
+$(BUILD)/tests/gl/test_gl_batch: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
+$(BUILD)/tests/gl/test_gl_batch: private LIBS := -lcmocka $(GL_LIBS) $(ACCEL_LIBS)
+$(BUILD)/tests/gl/test_gl_batch: private WRAPS := $(call wrap,accel_draw_arrays)
+run-test_gl_batch: export GLOSS_DEVICE := model:
+$(foreach test,$(GL_PART_TESTS),$(eval $(call unit_run,$(BUILD)/tests/gl/$(test))))
 
 $(GL_EGL_TESTS:%=run-%): run-%: $(BUILD)/tests/gl/% $(GL_FILES)
 	$(call quiet,TEST,$*)
@@ -42,8 +48,8 @@ run-test_glx: $(BUILD)/tests/gl/test_glx $(GL_FILES)
 	$(Q)tests/gl/with_xvfb 24+noshm $(GL_RUN) $<
 
 ifneq ($(GL_FOUND),)
-UNIT_TESTS += $(GL_TESTS) test_gl_names
-SANITIZED_TESTS += $(GL_EGL_TESTS)
+UNIT_TESTS += $(GL_TESTS) $(GL_PART_TESTS)
+SANITIZED_TESTS += $(GL_EGL_TESTS) $(GL_PART_TESTS)
 THREAD_TESTS += $(GL_THREAD_TESTS)
 endif
 
