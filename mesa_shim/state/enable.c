@@ -39,8 +39,14 @@ static unsigned int enable_dirty(GLenum name)
 
 static void enable_set(struct gloss_context *context, GLenum name, GLboolean on)
 {
-	GLboolean *at = enable_find(context, name, GLOSS_CAPABILITY);
+	const struct gloss_row *row = gloss_table_find(name);
+	GLboolean *at;
 
+	/* Programs for GL_EXT_vertex_array, older than OpenGL 1.1, enable arrays so. */
+	if (row && row->kind == GLOSS_CLIENT_CAPABILITY)
+		at = gloss_row_at(context, row);
+	else
+		at = enable_find(context, name, GLOSS_CAPABILITY);
 	if (!at || *at == on)
 		return;
 	gloss_change(context, enable_dirty(name));

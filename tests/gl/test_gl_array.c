@@ -238,14 +238,34 @@ static void numbers_may_lie_at_odd_places(void **state)
 	assert_int_equal(gl_pixel(20, 4), WHITE);
 }
 
+/* As GL_EXT_vertex_array has it. */
+static void arrays_are_enabled_like_capabilities_too(void **state)
+{
+	(void)state;
+	glVertexPointer(2, GL_FLOAT, 0, floats);
+	glEnable(GL_VERTEX_ARRAY);
+	assert_int_equal(glGetError(), GL_NO_ERROR);
+	assert_true(glIsEnabled(GL_VERTEX_ARRAY));
+	glDrawArrays(GL_QUADS, 4, 4);
+	glDisable(GL_VERTEX_ARRAY);
+	glDrawArrays(GL_QUADS, 0, 4);
+	assert_int_equal(gl_pixel(4, 4), BLACK);
+	assert_int_equal(gl_pixel(20, 4), WHITE);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		TEST(positions_have_four_types),       TEST(colours_of_bytes_are_interleaved),
-		TEST(indices_have_three_types),        TEST(a_list_keeps_arrays),
-		TEST(many_ranges_are_one_call),        TEST(array_elements_are_vertices),
-		TEST(buffers_hold_arrays_and_indices), TEST(nothing_is_drawn_from_a_mapped_buffer),
+		TEST(positions_have_four_types),
+		TEST(colours_of_bytes_are_interleaved),
+		TEST(indices_have_three_types),
+		TEST(a_list_keeps_arrays),
+		TEST(many_ranges_are_one_call),
+		TEST(array_elements_are_vertices),
+		TEST(buffers_hold_arrays_and_indices),
+		TEST(nothing_is_drawn_from_a_mapped_buffer),
 		TEST(numbers_may_lie_at_odd_places),
+		TEST(arrays_are_enabled_like_capabilities_too),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
