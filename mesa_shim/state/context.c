@@ -7,6 +7,7 @@
 
 #include "draw/batch.h"
 #include "state/command.h"
+#include "window/settings.h"
 #include "window/surface.h"
 
 _Thread_local struct gloss_context *gloss_this;
@@ -20,21 +21,38 @@ static const struct {
 	{ "quadratic", ACCEL_SHADING_QUADRATIC },
 };
 
-/* What the environment says: GLOSS_SHADING, and GLOSS_DEBUG=perf. */
+/* The number of a shading; one that is none is the first, and told of. */
+static size_t context_shading_named(const char *name)
+{
+	char line[128];
+
+	for (size_t i = 0; i < sizeof(context_shading) / sizeof(*context_shading); i++)
+		if (!name || !strcmp(name, context_shading[i].name))
+			return i;
+	if (secure_getenv("GLOSS_DEBUG")) {
+		snprintf(line, sizeof(line),
+			 "gloss: no shading is '%.40s'; there are adaptive, gouraud and quadratic",
+			 name);
+		accel_message_print(NULL, line);
+	}
+	return 0;
+}
+
+/* What the settings say, and GLOSS_DEBUG=perf. */
 static void context_configure(struct gloss_context *context)
 {
-	const char *shading = getenv("GLOSS_SHADING"), *debug = getenv("GLOSS_DEBUG");
+	const char *version = gloss_setting(GLOSS_SETTING_GL_VERSION);
+	const char *debug = getenv("GLOSS_DEBUG");
+	size_t shading = context_shading_named(gloss_setting(GLOSS_SETTING_SHADING));
 	struct accel_device_info info;
-	size_t chosen = 0;
 
-	for (size_t i = 0; shading && i < sizeof(context_shading) / sizeof(*context_shading); i++)
-		if (!strcmp(shading, context_shading[i].name))
-			chosen = i;
-	context->shading = context_shading[chosen].shading;
+	context->shading = context_shading[shading].shading;
 	context->tell = debug && strstr(debug, "perf");
 	accel_device_info(context->device, &info, sizeof(info));
-	snprintf(context->renderer, sizeof(context->renderer), "Gloss %s (%s)", info.name,
-		 context_shading[chosen].name);
+	snprintf(context->renderer, sizeof(context->renderer), "Gloss %s (%s%s)", info.name,
+		 context_shading[shading].name, version ? ", gl_version set" : "");
+	snprintf(context->version, sizeof(context->version), "%.8s Gloss",
+		 version ? version : "1.1");
 }
 
 static bool context_init(struct gloss_context *context, struct gloss_context *share)

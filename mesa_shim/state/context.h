@@ -90,7 +90,7 @@ struct gloss_context {
 	uint32_t told; /* bits of what GLOSS_DEBUG=perf has named */
 	bool tell;
 	struct gloss_read_cache cache;
-	char renderer[128];
+	char renderer[128], version[16];
 };
 
 /* The context that is current in this thread. */

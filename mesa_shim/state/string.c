@@ -26,7 +26,7 @@ const GLubyte *gl_GetString(GLenum name)
 		string = context->renderer;
 		break;
 	case GL_VERSION:
-		string = "1.1 Gloss";
+		string = context->version;
 		break;
 	case GL_EXTENSIONS:
 		string = extensions;

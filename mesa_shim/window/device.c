@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "accel.h"
+#include "window/settings.h"
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static struct accel_device *device;
@@ -19,8 +20,8 @@ static void device_open(void)
 	struct accel_device_info info;
 	char line[128];
 
-	if (accel_device_new(secure_getenv("GLOSS_DEVICE"), debug ? accel_message_print : NULL,
-			     NULL, &device)) {
+	if (accel_device_new(gloss_setting(GLOSS_SETTING_DEVICE),
+			     debug ? accel_message_print : NULL, NULL, &device)) {
 		device = NULL;
 		return;
 	}

@@ -3,7 +3,8 @@
 ##@ Library and tools
 
 GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=gloss \
-	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: vblank_mode=0
+	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: \
+	GLOSS_CONFIG=/dev/null vblank_mode=0
 
 GL_SCENE_TESTS := $(addprefix test_gl_, draw array list light pixel get share)
 GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_api $(GL_SCENE_TESTS)
@@ -25,9 +26,12 @@ $(BUILD)/tests/gl/test_gl_api: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
 $(BUILD)/tests/gl/test_gl_api: private LIBS := -lcmocka -lEGL -lGL $(GL_LIBS) $(ACCEL_LIBS)
 
 # Parts of the library alone.
-GL_PART_TESTS := test_gl_names test_gl_batch
+GL_PART_TESTS := test_gl_names test_gl_batch test_gl_settings
 FLAGS_tests/gl/test_gl_names.c = -Imesa_shim
+FLAGS_tests/gl/test_gl_settings.c = -Imesa_shim -D_GNU_SOURCE
 $(BUILD)/tests/gl/test_gl_names: $(BUILD)/mesa_shim/draw/names.o
+$(BUILD)/tests/gl/test_gl_settings: $(BUILD)/mesa_shim/window/settings.o
+$(BUILD)/tests/gl/test_gl_settings: private LIBS := -lcmocka -pthread
 $(BUILD)/tests/gl/test_gl_names: private LIBS := -lcmocka
 FLAGS_tests/gl/test_gl_batch.c = -Imesa_shim
 $(BUILD)/tests/gl/test_gl_batch: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
