@@ -9,6 +9,18 @@ test-install: lib $(ACCEL_SIMS) ## install the library to a directory, and use i
 	$(Q)tests/install/test_install.sh $(BUILD)/tests/install/root $(PREFIX) $(LIBDIR) \
 		"$(SIM_CORES)"
 
+SHIM_STAGE := $(abspath $(BUILD))/tests/install/shim
+.PHONY: test-install-shim
+test-install-shim: shim ## install the OpenGL vendor library, have libglvnd find it, uninstall it
+	$(call quiet,TEST,install-shim)
+	$(Q)rm -rf $(SHIM_STAGE)
+	$(Q)+$(MAKE) -s install-shim DESTDIR=$(SHIM_STAGE)
+	$(Q)+tests/gl/with_xvfb 24 tests/install/test_install_shim.sh $(SHIM_STAGE) $(LIBDIR) $(GL_DATADIR) "$(MAKE)"
+
+ifneq ($(GL_FOUND),)
+CHECKS += test-install-shim
+endif
+
 test-readme: ## the README's program is the example
 	$(Q)tests/install/test_readme.sh $(BUILD)/tests/install
 
