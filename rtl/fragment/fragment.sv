@@ -3,8 +3,7 @@
 // never stalls.
 //
 // A block is read in the clock it arrives and written three clocks later. It may come again in that
-// clock: tile then hands on what is written. raster keeps that distance: no block twice in a
-// triangle, two idle clocks between triangles.
+// clock: tile then hands on what is written. raster keeps that distance.
 module fragment #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

@@ -77,11 +77,12 @@ module raster_load_depth #(
     assign take_small = n == 0 ? small_z_q[1] : small_slopes_q[1];
 
     always_ff @(posedge clk_i) begin
+      // First, for it may be late from a record that was given up.
+      if (take_small) value_q <= small_plane_q[CoefficientBits*(2-n) +: CoefficientBits];
       if (take) value_q[31:0] <= compact_i ? {word[31-Low:0], {Low{1'b0}}} : word;
       if (compact_i ? take : take_high) begin
         value_q[39:32] <= compact_i ? {{(8-Low){word[31]}}, word[31:32-Low]} : high[8*n +: 8];
       end
-      if (take_small) value_q <= small_plane_q[CoefficientBits*(2-n) +: CoefficientBits];
     end
 
     assign plane[CoefficientBits*(2-n) +: CoefficientBits] = value_q;

@@ -4,9 +4,11 @@
 // for a block to the left), while the run of the present row sends a block a clock. A row starts
 // its run in the clock in which the row state goes down.
 //
-// Between the last block of a triangle and the first of the next, or the mark of a tile's end, two
-// clocks without a block pass: tile memory and shade rely on it. The block of a command is out
-// Latency clocks after the command was taken, together with its colours.
+// No block comes twice within three clocks: tile memory relies on it. In a triangle none does at
+// all. The next triangle's first block follows this one's last as soon as it is loaded, if this one
+// ends in neither of its first two rows, and else two clocks later. So much passes before the mark
+// of a tile's end in any case. The block of a command is out Latency clocks after the command was
+// taken, together with its colours.
 module raster_row #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -64,7 +66,8 @@ module raster_row #(
   logic             down_q;
   logic             step_q;       // the run sends a block in this clock
   logic [XBits-1:0] run_more_q;   // and so many after it
-  logic             may_start_q;  // the run is over, and before a new triangle so is the gap
+  logic             may_start_q;  // the run is over, and no block can come again too soon
+  logic             apart_q;      // no block of the triangle before can
   logic [1:0]       recent_q;     // a block or mark was sent one, two clocks ago
   logic             load, walking, here, down, start, aside, right, send_end;
 
@@ -92,11 +95,22 @@ module raster_row #(
     command_o.step = step_q;
   end
 
-  // A start ends the wait of a new triangle, so only steps have to be looked at for one that still
-  // waits.
-  logic more, gap_over;
+  // of the run's block
+  logic [XBits-1:0]    run_x_q;
+  logic [YBits-1:0]    run_y_q;
+  logic                run_first_q, run_last_q;
+  logic [LaneBits-1:0] run_low_q, run_high_q;
+
+  // The last two blocks of the triangle before are in the row of its last run, or too far back; the
+  // first two of this one are in its first two rows, or too far on. A start ends the wait of a new
+  // triangle, so only steps have to be looked at for one that still waits.
+  logic [YBits-1:0] last_row;
+  logic             more, apart, gap_over;
   assign more = start ? span_more_i != '0 : step_q && run_more_q != '0;
-  assign gap_over = !new_q || !(step_q || recent_q[0]);
+  assign last_row = run_first_q ? row_q : run_y_q;
+  assign apart = busy_q ? !new_q || (apart_q && !(span_valid_i && span_empty_i))
+                        : last_row != first_row_i && last_row != first_row_i + 1'b1;
+  assign gap_over = !(step_q || recent_q[0]);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -110,7 +124,7 @@ module raster_row #(
       else if (down && span_last_i) busy_q <= 1'b0;
       left_q <= aside && !right;
       step_q <= more;
-      may_start_q <= !more && (start || (!load && gap_over));
+      may_start_q <= !more && (start || apart || gap_over);
       recent_q <= {recent_q[0], start || step_q || send_end};
     end
   end
@@ -128,16 +142,12 @@ module raster_row #(
       if (down_q) row_q <= row_q + 1'b1;
       if (start) new_q <= 1'b0;
     end
+    apart_q <= apart;
     down_q <= down;
     run_more_q <= (start ? span_more_i : run_more_q) - 1'b1;
   end
 
   // ---- the run's block ----
-  logic [XBits-1:0]    run_x_q;
-  logic [YBits-1:0]    run_y_q;
-  logic                run_first_q, run_last_q;
-  logic [LaneBits-1:0] run_low_q, run_high_q;
-
   always_ff @(posedge clk_i) begin
     run_first_q <= start;
     run_last_q <= !more;
@@ -186,25 +196,19 @@ module raster_row #(
     rows_q <= {rows_q[(Latency-3)*YBits-1:0], run_y_q};
   end
 
-  // A block's state is taken with the first block of its run. The state of a triangle stays for
-  // three clocks after its last block, so it is handed on every third clock only.
-  localparam int unsigned Stations = (Latency - 2) / 3 + 1;
+  // A block's state is taken with the first block of its run.
   localparam int unsigned StateBits = $bits(state_i);
-  logic [Stations*StateBits-1:0] station_q;
+  logic [(Latency-1)*StateBits-1:0] states_q;
 
   always_ff @(posedge clk_i) begin
-    if (run_first_q || end_q[0]) station_q[StateBits-1:0] <= state_q;
-    for (int n = 1; n < Stations; n++) begin
-      if (valid_q[3*n] || end_q[3*n]) begin
-        station_q[StateBits*n +: StateBits] <= station_q[StateBits*(n-1) +: StateBits];
-      end
-    end
+    if (run_first_q || end_q[0]) states_q[StateBits-1:0] <= state_q;
+    states_q[StateBits +: (Latency-2)*StateBits] <= states_q[0 +: (Latency-2)*StateBits];
   end
 
   assign block_valid_o = valid_q[Latency-1];
   assign {block_x_o, block_mask_o} = place_q[(Latency-2)*PlaceBits +: PlaceBits];
   assign block_y_o = rows_q[(Latency-3)*YBits +: YBits];
-  assign block_state_o = station_q[StateBits*(Stations-1) +: StateBits];
+  assign block_state_o = states_q[StateBits*(Latency-2) +: StateBits];
   assign end_o = end_q[Latency-1];
   assign end_bank_o = block_state_o.bank;
 
@@ -226,7 +230,7 @@ module raster_row #(
 
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      gap_before_triangle: assert (!(start && new_q) || (!step_q && recent_q == '0));
+      gap_before_triangle: assert (!(start && new_q) || apart_q || (!step_q && recent_q == '0));
       gap_before_end: assert (!end_o || (valid_q[Latency-1] == 1'b0 && late_q == '0));
       state_stays_for_run: assert (!run_first_q || !taken_q);
       run_in_tile: assert (!start || {1'b0, span_block_i} + {1'b0, span_more_i}

@@ -5,8 +5,8 @@
 //   records        spans          blocks        red, green, blue   alpha, depth
 //
 // Once a block is on its way nothing stops it, so fragment has to take one every clock. A block is
-// out Latency clocks after raster_row sent it; a triangle never touches a block twice, and between
-// the last block of a triangle and the first of the next two clocks pass without one.
+// out Latency clocks after raster_row sent it; a triangle never touches a block twice, and no block
+// comes twice within three clocks.
 module raster_shade #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,

@@ -28,7 +28,7 @@ module raster_walk #(
   input  logic [15:0]           listed_rows_i, // the first two
   input  logic [7:0]            listed_next_i, // the row after those that are here
   output logic                  listed_step_o, // it is taken
-  output logic                  listed_busy_o,
+  output logic                  listed_busy_o, // and is still to be
   input  logic [RowBits-1:0]    first_row_i,
   input  logic [RowBits-1:0]    last_row_i,
   input  logic [5:0]            switch_row_i,
@@ -57,7 +57,7 @@ module raster_walk #(
   logic       next_switches, switched_q;
   logic [5:0] switch_count_q;
   logic [RowBits-1:0] row_q, rows_left_q;
-  logic               listed_q;
+  logic               listed_q, listed_more_q;  // more than are here
   logic [5:0]         listed_x_q;
   logic [15:0]        listed_rows_q;  // this row, the next one
 
@@ -99,16 +99,19 @@ module raster_walk #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       busy_q <= 1'b0;
+      listed_more_q <= 1'b0;
       edge_valid_q <= 1'b0;
     end else begin
       if (take_o) busy_q <= 1'b1;
       else if (step_r && rows_left_q == '0) busy_q <= 1'b0;
+      if (take_o) listed_more_q <= listed_i && last_row_i > RowBits'(1);
+      else if (step_r && rows_left_q == RowBits'(2)) listed_more_q <= 1'b0;
       if (advance) edge_valid_q <= busy_q && !listed_q;
     end
   end
 
-  assign listed_step_o = step_r && listed_q;
-  assign listed_busy_o = busy_q && listed_q;
+  assign listed_step_o = step_r && listed_more_q;
+  assign listed_busy_o = listed_more_q;
 
   // ---- 2nd stage: columns, 13 bits ----
   logic signed [12:0] left_x, right_x;

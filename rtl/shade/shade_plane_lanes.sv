@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A block of a plane to its K pixels: pixel l has value_i + l*dx_i, as a tree of additions like
-// shade_surface_lanes and with its latency, so the tree waits one clock for K > 1. dx_i is used in
-// the first three clocks only and may then change.
+// shade_surface_lanes and with its latency, so the tree waits one clock for K > 1. Each block comes
+// with its own dx_i.
 module shade_plane_lanes #(
   parameter int unsigned PixelsPerClock = 1,
   parameter int unsigned Width = 40,
@@ -23,10 +23,11 @@ module shade_plane_lanes #(
   end else begin : gen_many
     // Level s of the tree has 2^s pixels, K/2^s apart.
     localparam int unsigned Levels = $clog2(PixelsPerClock);
-    logic [Width-1:0] first_q, dx_q;
+    logic [Width-1:0]        first_q;
+    logic [Width*Levels-1:0] dx_q;  // of the block in each level but the last
     always_ff @(posedge clk_i) begin
       first_q <= value_i;
-      dx_q <= dx_i;
+      dx_q <= (Width*Levels)'({dx_q, dx_i});
     end
     for (genvar s = 0; s <= Levels; s++) begin : gen_level
       logic [Width*2**s-1:0] nodes;
@@ -38,7 +39,7 @@ module shade_plane_lanes #(
           assign parent = gen_level[s-1].nodes[Width*n +: Width];
           always_ff @(posedge clk_i) begin
             left_q <= parent;
-            right_q <= parent + (dx_q << (Levels - s));
+            right_q <= parent + (dx_q[Width*(s-1) +: Width] << (Levels - s));
           end
           assign nodes[2*Width*n +: 2*Width] = {right_q, left_q};
         end

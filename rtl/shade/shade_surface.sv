@@ -150,8 +150,9 @@ module shade_surface #(
   end
 
   // ---- the run: its slope in the 2nd clock, its value in the 3rd ----
-  logic [31:0] run_dxx_q, run_value_q, run_stride;
+  logic [31:0] run_dxx_q, run_bend_q;     // the next block's dxx, this block's
   logic [32:0] run_slope_q, run_across_q; // the slope of the next block, of this block
+  logic [31:0] run_value_q, run_stride;
 
   if (PixelsPerClock == 1) begin : gen_run_stride_1
     assign run_stride = run_across_q[32:1];
@@ -166,6 +167,7 @@ module shade_surface #(
     end else if (step_q) begin
       run_slope_q <= run_slope_q + ({1'b0, run_dxx_q} << (Shift + 1));
     end
+    run_bend_q <= run_dxx_q;
     run_across_q <= run_slope_q;
     if (run_start_q) run_value_q <= value_q;
     else if (run_step_q) run_value_q <= run_value_q + run_stride;
@@ -177,7 +179,7 @@ module shade_surface #(
     .clk_i   (clk_i),
     .value_i (run_value_q),
     .across_i(run_across_q),
-    .dxx_i   (run_dxx_q),
+    .dxx_i   (run_bend_q),
     .level_o (level_o)
   );
 

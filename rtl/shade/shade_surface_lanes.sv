@@ -4,7 +4,7 @@
 // the second difference, a pixel l has i + l*p + l(l-1)/2*a; across_i is 2*p + (K-1)*a.
 //
 // The pixels are a tree: 4 from 0, then 2 and 6, then the odd ones; far_q, near_q and step_q are
-// the differences that lead there. dxx_i is used in the first two clocks only and may then change.
+// the differences that lead there. Each block comes with its own dxx_i.
 // Latency in clocks: 1, 3, 4, 5 for K = 1, 2, 4, 8.
 module shade_surface_lanes #(
   parameter int unsigned PixelsPerClock = 1
@@ -38,16 +38,18 @@ module shade_surface_lanes #(
 
   if (PixelsPerClock == 4) begin : gen_4
     logic [31:0] first_q, near_q, step2_q, step0_q, step2_late_q, even0_q, even2_q;
+    logic [30:0] dxx_q;
     logic        unused_half_q;
     logic [127:0] pixels_q;
     always_ff @(posedge clk_i) begin
       near_q <= across_i[31:0] - {dxx_i[30:0], 1'b0};
       {step2_q, unused_half_q} <= across_i + {1'b0, dxx_i};
       first_q <= value_i;
+      dxx_q <= dxx_i[30:0];
 
       even0_q <= first_q;
       even2_q <= first_q + near_q;
-      step0_q <= step2_q - {dxx_i[30:0], 1'b0};
+      step0_q <= step2_q - {dxx_q, 1'b0};
       step2_late_q <= step2_q;
 
       pixels_q <= {even2_q + step2_late_q, even2_q, even0_q + step0_q, even0_q};
@@ -57,6 +59,7 @@ module shade_surface_lanes #(
 
   if (PixelsPerClock == 8) begin : gen_8
     logic [31:0]  first_q, far_q, near4_q, step4_q;
+    logic [30:0]  dxx_q;
     logic         unused_half_q;
     logic [31:0]  half0_q, half4_q, near0_late_q, near4_late_q;
     logic [127:0] steps_q, steps_late_q; // from pixel 0, 2, 4, 6 to the next
@@ -64,16 +67,17 @@ module shade_surface_lanes #(
     logic [255:0] pixels_q;
     always_ff @(posedge clk_i) begin
       first_q <= value_i;
+      dxx_q <= dxx_i[30:0];
       far_q <= {across_i[30:0], 1'b0} - {dxx_i[28:0], 3'b0};
       near4_q <= across_i[31:0] + {dxx_i[30:0], 1'b0};
       {step4_q, unused_half_q} <= across_i + {1'b0, dxx_i};
 
       half0_q <= first_q;
       half4_q <= first_q + far_q;
-      near0_late_q <= near4_q - {dxx_i[28:0], 3'b0};
+      near0_late_q <= near4_q - {dxx_q[28:0], 3'b0};
       near4_late_q <= near4_q;
-      steps_q <= {step4_q + {dxx_i[30:0], 1'b0}, step4_q, step4_q - {dxx_i[30:0], 1'b0},
-                  step4_q - {dxx_i[29:0], 2'b0}};
+      steps_q <= {step4_q + {dxx_q, 1'b0}, step4_q, step4_q - {dxx_q, 1'b0},
+                  step4_q - {dxx_q[29:0], 2'b0}};
 
       evens_q <= {half4_q + near4_late_q, half4_q, half0_q + near0_late_q, half0_q};
       steps_late_q <= steps_q;

@@ -373,7 +373,7 @@ static void figure_small(struct bench *b)
 		double limit;
 	} sizes[] = {
 		{ "core.clk.tri_1px", small_triangle, 1, 1, 5 },
-		{ "core.clk.tri_32px", small_triangle, 8, 32, 13 },
+		{ "core.clk.tri_32px", small_triangle, 8, 32, 10.5 },
 		{ "core.clk.tri_512px", compact_triangle, 32, 512, 200 },
 	};
 

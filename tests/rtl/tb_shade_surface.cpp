@@ -42,7 +42,6 @@ public:
 			clock(0, 0, LOAD, false);
 		surface = next;
 		u = v = 0;
-		fresh = true;
 		clock(1, 1, LOAD, false);
 		moves_left = random.between(2, 60);
 		move();
@@ -70,10 +69,8 @@ private:
 	Surface surface = {};
 	int u = 0, v = 0; /* where the row state is, seen from the anchor */
 	int moves_left = 0;
-	bool fresh = false;	/* no block of the triangle yet */
-	Block run = {};		/* the last block sent */
-	int run_more = 0;	/* blocks of its run after it */
-	uint64_t gap_until = 0; /* the clock a new triangle may start in */
+	Block run = {};	      /* the last block sent */
+	int run_more = 0;     /* blocks of its run after it */
 	std::deque<Block> expected;
 
 	Surface surface_any()
@@ -95,8 +92,6 @@ private:
 
 	void move()
 	{
-		bool may_start = !run_more && (!fresh || bench.clocks >= gap_until);
-
 		moves_left--;
 		switch (random.below(5)) {
 		case 0:
@@ -112,7 +107,7 @@ private:
 			clock(0, 0, LOAD, false);
 			break;
 		default:
-			clock(1, 1, DOWN, may_start && random.chance(80));
+			clock(1, 1, DOWN, !run_more && random.chance(80));
 			v++;
 		}
 	}
@@ -122,7 +117,6 @@ private:
 		run = block;
 		run.at = bench.clocks + latency;
 		expected.push_back(run);
-		gap_until = bench.clocks + 3;
 	}
 
 	void clock(int slopes, int values, Move move, bool start)
@@ -133,7 +127,6 @@ private:
 		if (start) {
 			send({ 0, surface, u, v });
 			run_more = random.below(8);
-			fresh = false;
 		} else if (step) {
 			send({ 0, run.surface, run.u + LANES, run.v });
 			run_more--;
