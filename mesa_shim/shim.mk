@@ -10,7 +10,7 @@ FLAGS_mesa_shim := -Imesa_shim -D_GNU_SOURCE -fPIC -pthread -fvisibility=hidden 
 GL_LIBS := $(if $(GL_FOUND),$(shell pkg-config --libs x11 x11-xcb xcb xcb-shm))
 
 SHIM_SOURCES := $(addprefix mesa_shim/api/,proc.c proc_table.c) $(sort $(wildcard mesa_shim/window/*.c))
-include mesa_shim/state/state.mk mesa_shim/draw/draw.mk
+include mesa_shim/state/state.mk mesa_shim/draw/draw.mk mesa_shim/texture/texture.mk mesa_shim/pixel/pixel.mk
 SHIM_OBJECTS = $(SHIM_SOURCES:%.c=$(BUILD)/%.o)
 
 # The library has libaccel in itself: a program that is linked with another version keeps that, and

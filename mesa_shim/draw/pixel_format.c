@@ -25,6 +25,8 @@ static const struct {
 	{ GL_LUMINANCE, 1, { 0 }, true },
 	{ GL_LUMINANCE_ALPHA, 2, { 0, 3 }, true },
 	{ GL_DEPTH_COMPONENT, 1, { 0 }, false },
+	{ GL_COLOR_INDEX, 1, { 0 }, false },
+	{ GL_STENCIL_INDEX, 1, { 0 }, false },
 };
 
 static const struct {
@@ -32,6 +34,7 @@ static const struct {
 	unsigned char size, bits[GLOSS_COMPONENTS];
 	bool reversed;
 } pixel_types[] = {
+	{ GL_BITMAP, 0, { 0 }, false },
 	{ GL_UNSIGNED_BYTE, 1, { 0 }, false },
 	{ GL_BYTE, 1, { 0 }, false },
 	{ GL_UNSIGNED_SHORT, 2, { 0 }, false },
@@ -59,6 +62,7 @@ static bool pixel_find_components(GLenum format, struct gloss_pixel_format *out)
 		if (pixel_components[i].format == format) {
 			out->components = pixel_components[i].components;
 			out->luminance = pixel_components[i].luminance;
+			out->index = format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX;
 			memcpy(out->from, pixel_components[i].from, sizeof(out->from));
 			return true;
 		}
@@ -81,6 +85,8 @@ static bool pixel_find_type(GLenum type, struct gloss_pixel_format *out)
 GLenum gloss_pixel_format_find(GLenum format, GLenum type, struct gloss_pixel_format *out)
 {
 	if (!pixel_find_components(format, out) || !pixel_find_type(type, out))
+		return GL_INVALID_ENUM;
+	if (type == GL_BITMAP && !out->index)
 		return GL_INVALID_ENUM;
 	out->size = out->element * (out->bits[0] ? 1 : out->components);
 	if (out->bits[0] && out->components != (out->bits[3] ? 4 : 3))
@@ -146,6 +152,35 @@ static uint32_t pixel_from_float(GLenum type, float value)
 	}
 }
 
+static uint32_t pixel_from_index(GLenum type, float value)
+{
+	uint32_t bits;
+
+	if (type != GL_FLOAT)
+		return (uint32_t)(int32_t)value;
+	memcpy(&bits, &value, sizeof(bits));
+	return bits;
+}
+
+static float pixel_to_index(GLenum type, uint32_t bits)
+{
+	float value;
+
+	switch (type) {
+	case GL_BYTE:
+		return (int8_t)bits;
+	case GL_SHORT:
+		return (int16_t)bits;
+	case GL_INT:
+		return (float)(int32_t)bits;
+	case GL_FLOAT:
+		memcpy(&value, &bits, sizeof(value));
+		return value;
+	default:
+		return (float)bits;
+	}
+}
+
 static float pixel_to_float(GLenum type, uint32_t bits)
 {
 	float value;
@@ -194,7 +229,10 @@ void gloss_pixel_format_put(const struct gloss_pixel_format *format, bool swap, 
 
 		if (format->luminance && i == 0)
 			value = fminf(rgba[0] + rgba[1] + rgba[2], 1);
-		if (format->bits[0])
+		if (format->index)
+			pixel_store(pixel, format->element, swap,
+				    pixel_from_index(format->type, value));
+		else if (format->bits[0])
 			packed |= (uint32_t)(value * (float)((1u << format->bits[i]) - 1) + 0.5f)
 				  << pixel_shift(format, i);
 		else
@@ -212,6 +250,10 @@ void gloss_pixel_format_get(const struct gloss_pixel_format *format, bool swap, 
 
 	rgba[0] = rgba[1] = rgba[2] = 0;
 	rgba[3] = 1;
+	if (format->index) {
+		rgba[0] = pixel_to_index(format->type, packed);
+		return;
+	}
 	for (unsigned int i = 0; i < format->components; i++) {
 		uint32_t most = (1u << format->bits[i]) - 1;
 

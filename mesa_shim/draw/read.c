@@ -2,6 +2,7 @@
 #include "draw/read.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "state/command.h"
 #include "window/surface.h"
@@ -54,4 +55,32 @@ const uint32_t *gloss_read_plane(struct gloss_context *context, enum accel_plane
 	}
 	plane->valid = !accel_target_read(target, which, NULL, plane->pixel, pitch);
 	return plane->valid ? plane->pixel : NULL;
+}
+
+static void read_unpack(const struct gloss_context *context, enum accel_plane plane, uint32_t word,
+			float rgba[4])
+{
+	if (plane == ACCEL_PLANE_DEPTH) {
+		rgba[0] = (float)((double)(word & 0xffffff) / 0xffffff);
+		return;
+	}
+	for (int i = 0; i < 4; i++)
+		rgba[i] = (float)((const uint8_t *)&word)[i] / 255;
+	if (!context->visual.alpha)
+		rgba[3] = 1;
+}
+
+void gloss_read_row(struct gloss_context *context, enum accel_plane plane, int64_t x, int64_t y,
+		    int count, float (*row)[4])
+{
+	const uint32_t *from = gloss_read_plane(context, plane);
+	const struct gloss_read_cache *cache = &context->cache;
+	const int64_t line = cache->height - 1 - y;
+
+	memset(row, 0, (size_t)count * sizeof(*row));
+	if (!from || line < 0 || line >= cache->height)
+		return;
+	for (int i = 0; i < count; i++)
+		if (x + i >= 0 && x + i < cache->width)
+			read_unpack(context, plane, from[line * cache->width + x + i], row[i]);
 }

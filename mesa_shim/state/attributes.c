@@ -95,6 +95,24 @@ static void attributes_init_fragments(struct gloss_attributes *attributes)
 	attributes->multisample = (struct gloss_multisample){ .coverage = 1, .enabled = GL_TRUE };
 }
 
+static void attributes_init_unit(struct gloss_unit *unit)
+{
+	unit->environment = (struct gloss_environment){
+		.mode = GL_MODULATE,
+		.combine = { GL_MODULATE, GL_MODULATE },
+		.source = { { GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT },
+			    { GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT } },
+		.operand = { { GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA },
+			     { GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA } },
+		.scale = { 1, 1 },
+	};
+	for (int i = 0; i < 4; i++)
+		unit->texgen[i].mode = GL_EYE_LINEAR;
+	/* S and T have planes, R and Q none. */
+	unit->texgen[0].object[0] = unit->texgen[0].eye[0] = 1;
+	unit->texgen[1].object[1] = unit->texgen[1].eye[1] = 1;
+}
+
 void gloss_attributes_init(struct gloss_attributes *attributes)
 {
 	*attributes = (struct gloss_attributes){
@@ -116,4 +134,6 @@ void gloss_attributes_init(struct gloss_attributes *attributes)
 	attributes_init_current(attributes);
 	attributes_init_lighting(&attributes->lighting);
 	attributes_init_fragments(attributes);
+	for (int i = 0; i < GLOSS_UNITS; i++)
+		attributes_init_unit(&attributes->texturing.unit[i]);
 }

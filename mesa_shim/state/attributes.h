@@ -123,9 +123,40 @@ struct gloss_hints {
 	GLenum perspective, point, line, polygon, fog, mipmap, compression;
 };
 
+enum gloss_texture_kind {
+	GLOSS_TEXTURE_1D,
+	GLOSS_TEXTURE_2D,
+	GLOSS_TEXTURE_3D,
+	GLOSS_TEXTURE_CUBE,
+	GLOSS_TEXTURE_KINDS
+};
+
+/* How a texture is sampled, of the texture itself. */
+struct gloss_sampler {
+	GLenum min, mag, wrap[3], depth_mode, compare_mode, compare_func;
+	GLfloat border[4], priority, min_lod, max_lod;
+	GLint base, most; /* levels */
+	GLboolean generate;
+};
+
+/* What the texture environment does with texels. The arrays are of RGB and of alpha. */
+struct gloss_environment {
+	GLenum mode, combine[2], source[2][3], operand[2][3];
+	GLfloat scale[2], colour[4], lod_bias;
+	GLboolean coord_replace;
+};
+
+/* Of S, T, R, Q. */
+struct gloss_texgen {
+	GLenum mode;
+	GLfloat object[4], eye[4]; /* eye: in eye space */
+};
+
 struct gloss_unit {
-	GLint bound[4]; /* names: 1D, 2D, 3D, cube map */
-	GLboolean enabled[4], generate[4];
+	GLint bound[GLOSS_TEXTURE_KINDS]; /* names */
+	GLboolean enabled[GLOSS_TEXTURE_KINDS], generate[4];
+	struct gloss_environment environment;
+	struct gloss_texgen texgen[4];
 };
 
 struct gloss_texturing {

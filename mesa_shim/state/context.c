@@ -62,12 +62,15 @@ static bool context_init(struct gloss_context *context, struct gloss_context *sh
 	context->saved_client = malloc(GLOSS_STACK_DEPTH * sizeof(*context->saved_client));
 	if (!context->shared || !context->saved || !context->saved_client)
 		return false;
+	if (!gloss_textures_init(context))
+		return false;
 	if (accel_state_new(&context->state) || accel_state_new(&context->plain) ||
 	    accel_draw_new(context->device, &context->draw))
 		return false;
 	gloss_attributes_init(&context->attributes);
 	gloss_client_init(&context->client);
 	gloss_matrices_init(&context->matrices);
+	gloss_pixel_maps_init(&context->maps);
 	context->immediate.current = &context->attributes.current;
 	context->immediate.set = ~0u;
 	context->vertices = &context->immediate;
@@ -97,6 +100,7 @@ void gloss_context_free(struct gloss_context *context)
 		gloss_this = NULL;
 	if (context->shared) {
 		gloss_list_abandon(context);
+		gloss_textures_fini(context);
 		gloss_shared_unref(context->shared);
 	}
 	gloss_vertices_free(&context->immediate);

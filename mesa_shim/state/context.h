@@ -12,9 +12,11 @@
 #include "accel.h"
 #include "draw/read.h"
 #include "draw/vertices.h"
+#include "pixel/transfer.h"
 #include "state/attributes.h"
 #include "state/client.h"
 #include "state/matrix.h"
+#include "texture/texture.h"
 
 #define GLOSS_STACK_DEPTH 16  /* of glPushAttrib and glPushClientAttrib */
 #define GLOSS_LIST_NESTING 64 /* of glCallList */
@@ -43,6 +45,7 @@ struct gloss_visual {
 struct gloss_saved {
 	GLbitfield mask;
 	struct gloss_attributes attributes;
+	struct gloss_sampler sampler[GLOSS_UNITS][GLOSS_TEXTURE_KINDS]; /* of what was bound */
 };
 
 struct gloss_saved_client {
@@ -63,6 +66,8 @@ struct gloss_context {
 	struct gloss_attributes attributes;
 	struct gloss_client client;
 	struct gloss_matrices matrices;
+	struct gloss_textures textures;
+	struct gloss_pixel_maps maps;
 	struct gloss_visual visual;
 	GLenum error;
 

@@ -10,13 +10,12 @@ static size_t pixel_store_align(const struct gloss_pixel_store *store, size_t ro
 }
 
 size_t gloss_pixel_store_offset(const struct gloss_pixel_store *store, GLsizei width, size_t size,
-				size_t element, GLint x, GLint y)
+				size_t element, size_t x, size_t y)
 {
 	size_t length = (size_t)(store->row_length ? store->row_length : width);
 	size_t row = pixel_store_align(store, length * size, element);
 
-	return ((size_t)store->skip_rows + (size_t)y) * row +
-	       ((size_t)store->skip_pixels + (size_t)x) * size;
+	return ((size_t)store->skip_rows + y) * row + ((size_t)store->skip_pixels + x) * size;
 }
 
 static size_t pixel_store_bit(const struct gloss_pixel_store *store, GLsizei width, GLint x,

@@ -11,7 +11,7 @@
 /* Bytes from the first pixel to pixel @x of row @y of an image that is @width pixels wide, of
  * @size bytes each, of which the elements have @element. */
 size_t gloss_pixel_store_offset(const struct gloss_pixel_store *store, GLsizei width, size_t size,
-				size_t element, GLint x, GLint y);
+				size_t element, size_t x, size_t y);
 /* Pixel @x of row @y of a bitmap. */
 bool gloss_pixel_store_bit(const struct gloss_pixel_store *store, const GLubyte *bitmap,
 			   GLsizei width, GLint x, GLint y);

@@ -18,6 +18,18 @@ GLOSS_LISTED1(PushAttrib, GLbitfield, mask)
 	saved = &context->saved[context->saved_count++];
 	saved->mask = mask;
 	saved->attributes = context->attributes;
+	for (int unit = 0; unit < GLOSS_UNITS; unit++)
+		for (int kind = 0; kind < GLOSS_TEXTURE_KINDS; kind++)
+			saved->sampler[unit][kind] = context->textures.bound[unit][kind]->sampler;
+}
+
+/* The textures that were bound are bound again, and are sampled as they were. */
+static void push_restore_textures(struct gloss_context *context, const struct gloss_saved *saved)
+{
+	gloss_textures_rebind(context);
+	for (int unit = 0; unit < GLOSS_UNITS; unit++)
+		for (int kind = 0; kind < GLOSS_TEXTURE_KINDS; kind++)
+			context->textures.bound[unit][kind]->sampler = saved->sampler[unit][kind];
 }
 
 /* Vertices that were collected have the current values of their time. */
@@ -58,6 +70,8 @@ GLOSS_LISTED0(PopAttrib)
 	for (unsigned int i = 0; i < gloss_table_rows; i++)
 		if (gloss_table[i].saved & saved->mask)
 			push_restore(context, &saved->attributes, &gloss_table[i]);
+	if (saved->mask & GL_TEXTURE_BIT)
+		push_restore_textures(context, saved);
 }
 
 void gl_PushClientAttrib(GLbitfield mask)

@@ -5,9 +5,13 @@
 static const char extensions[] = "GL_ARB_multisample "
 				 "GL_ARB_transpose_matrix "
 				 "GL_ARB_vertex_buffer_object "
+				 "GL_ARB_window_pos "
+				 "GL_EXT_abgr "
+				 "GL_EXT_bgra "
 				 "GL_EXT_compiled_vertex_array "
 				 "GL_EXT_draw_range_elements "
 				 "GL_EXT_multi_draw_arrays "
+				 "GL_EXT_packed_pixels "
 				 "GL_EXT_rescale_normal "
 				 "GL_EXT_vertex_array";
 

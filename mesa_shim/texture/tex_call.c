@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "texture/tex_call.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "draw/batch.h"
+#include "draw/read.h"
+#include "state/command.h"
+
+void gloss_tex_call_init(struct gloss_tex_call *call, GLenum format, GLenum type,
+			 const void *pixels)
+{
+	const struct gloss_context *context = gloss_current();
+
+	call->format = format;
+	call->error = gloss_pixel_format_find(format, type, &call->pixels.format);
+	if (format == GL_STENCIL_INDEX)
+		call->error = GL_INVALID_ENUM;
+	call->pixels.width = call->size[0];
+	call->pixels.height = call->size[1];
+	call->pixels.depth = call->size[2];
+	call->pixels.from = pixels;
+	if (context)
+		call->pixels.store = context->client.unpack;
+	/* Those are for images of three dimensions alone. */
+	if (call->dimensions < 3)
+		call->pixels.store.image_height = call->pixels.store.skip_images = 0;
+}
+
+/* Whether the pixels are to be copied: they are there, and the call is no error. */
+static bool tex_call_packs(const struct gloss_tex_call *call)
+{
+	for (int i = 0; i < 3; i++)
+		if (call->size[i] < 1 || call->size[i] > GLOSS_TEXTURE_SIZE + 2)
+			return false;
+	return call->pixels.from && call->error == GL_NO_ERROR;
+}
+
+static void tex_call_record(struct gloss_context *context, gloss_play_fn play,
+			    const struct gloss_tex_call *call)
+{
+	const size_t size = gloss_pixels_packed_size(&call->pixels);
+	struct gloss_tex_call *copy = NULL;
+
+	if (size <= SIZE_MAX - sizeof(*copy))
+		copy = malloc(sizeof(*copy) + size);
+	if (!copy) {
+		gloss_error(context, GL_OUT_OF_MEMORY);
+		return;
+	}
+	*copy = *call;
+	gloss_pixels_pack(&call->pixels, copy + 1, &copy->pixels);
+	copy->packed = true;
+	if (gloss_listed(play, copy, sizeof(*copy) + size))
+		play(context, copy);
+	free(copy);
+}
+
+void gloss_tex_call_issue(gloss_play_fn play, const struct gloss_tex_call *call)
+{
+	struct gloss_context *context = gloss_current();
+
+	if (context && context->compiling.list && tex_call_packs(call)) {
+		tex_call_record(context, play, call);
+		return;
+	}
+	context = gloss_listed(play, call, sizeof(*call));
+	if (context)
+		play(context, call);
+}
+
+struct gloss_pixels gloss_tex_call_pixels(const struct gloss_tex_call *call)
+{
+	struct gloss_pixels pixels = call->pixels;
+
+	if (call->packed)
+		pixels.from = call + 1;
+	return pixels;
+}
+
+GLenum gloss_tex_call_error(const struct gloss_tex_call *call, GLenum base)
+{
+	if (call->error)
+		return call->error;
+	return (call->format == GL_DEPTH_COMPONENT) == (base == GL_DEPTH_COMPONENT) ?
+		       GL_NO_ERROR :
+		       GL_INVALID_OPERATION;
+}
+
+/* Room for a row of pixels; NULL: there is an error. */
+static float (*tex_row(struct gloss_context *context, GLsizei width))[4]
+{
+	float(*row)[4] = malloc(((size_t)width + 1) * sizeof(*row));
+
+	if (!row)
+		gloss_error(context, GL_OUT_OF_MEMORY);
+	return row;
+}
+
+void gloss_tex_call_store(struct gloss_context *context, const struct gloss_tex_call *call,
+			  const struct gloss_texture_image *image, const GLint at[3])
+{
+	const struct gloss_pixels pixels = gloss_tex_call_pixels(call);
+	const GLsizei width = pixels.width;
+	float(*row)[4] = tex_row(context, width);
+
+	for (GLsizei z = 0; row && z < pixels.depth; z++)
+		for (GLsizei y = 0; y < pixels.height; y++) {
+			gloss_pixels_get(&pixels, y, z, row);
+			gloss_transfer_pixels(context, call->format, row, (size_t)width);
+			gloss_texture_image_put(image, at[0], at[1] + y, at[2] + z,
+						(const float(*)[4])row, width);
+		}
+	free(row);
+}
+
+void gloss_tex_copy_store(struct gloss_context *context, const struct gloss_tex_copy *copy,
+			  const struct gloss_texture_image *image)
+{
+	const bool depth = image->format->base == GL_DEPTH_COMPONENT;
+	float(*row)[4] = tex_row(context, copy->width);
+
+	for (GLsizei y = 0; row && y < copy->height; y++) {
+		gloss_read_row(context, depth ? ACCEL_PLANE_DEPTH : ACCEL_PLANE_COLOUR, copy->x,
+			       (int64_t)copy->y + y, copy->width, row);
+		gloss_transfer_pixels(context, depth ? GL_DEPTH_COMPONENT : GL_RGBA, row,
+				      (size_t)copy->width);
+		gloss_texture_image_put(image, copy->at[0], copy->at[1] + y, copy->at[2],
+					(const float(*)[4])row, copy->width);
+	}
+	free(row);
+}
