@@ -23,7 +23,7 @@ lint-style: ## instances of the RTL in one form, lines up to 100 columns
 	$(Q)tests/rtl/style
 
 # All of C but the driver's, which has the kernel's tools below.
-lint-tidy: $(BUILD)/compile_commands.json check-generated $(GL_CALLS) ## clang-tidy on the C sources, tests too
+lint-tidy: $(BUILD)/compile_commands.json check-generated $(GL_CALLS_INC) ## clang-tidy on the C sources, tests too
 	$(call quiet,TIDY,libaccel mesa_shim tools tests)
 	@mkdir -p $(BUILD)/check
 	$(Q)printf '%s\n' $(C_SOURCES) | xargs -P $(JOBS) -n 8 clang-tidy --quiet -p $(BUILD) \

@@ -69,14 +69,14 @@ enum array_types {
 };
 
 static void array_set(struct gloss_context *context, struct gloss_client_array *array,
-		      unsigned int types, GLint least, GLint size, GLenum type, GLsizei stride,
-		      const void *pointer)
+		      unsigned int types, GLint least, GLint most, GLint size, GLenum type,
+		      GLsizei stride, const void *pointer)
 {
 	if (type < GL_BYTE || type > GL_DOUBLE || !(types & 1u << (type - GL_BYTE))) {
 		gloss_error(context, GL_INVALID_ENUM);
 		return;
 	}
-	if (stride < 0 || size < least || size > 4) {
+	if (stride < 0 || size < least || size > most) {
 		gloss_error(context, GL_INVALID_VALUE);
 		return;
 	}
@@ -92,7 +92,7 @@ void gl_VertexPointer(GLint size, GLenum type, GLsizei stride, const void *point
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.position, ARRAY_SIGNED, 2, size, type,
+		array_set(context, &context->client.arrays.position, ARRAY_SIGNED, 2, 4, size, type,
 			  stride, pointer);
 }
 
@@ -102,7 +102,7 @@ void gl_NormalPointer(GLenum type, GLsizei stride, const void *pointer)
 
 	if (context)
 		array_set(context, &context->client.arrays.normal, ARRAY_SIGNED | ARRAY_BYTE, 3, 3,
-			  type, stride, pointer);
+			  3, type, stride, pointer);
 }
 
 void gl_ColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
@@ -110,8 +110,8 @@ void gl_ColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointe
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.colour, ARRAY_ALL, 3, size, type, stride,
-			  pointer);
+		array_set(context, &context->client.arrays.colour, ARRAY_ALL, 3, 4, size, type,
+			  stride, pointer);
 }
 
 void gl_SecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointer)
@@ -119,7 +119,7 @@ void gl_SecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const voi
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.secondary, ARRAY_ALL, 3, size, type,
+		array_set(context, &context->client.arrays.secondary, ARRAY_ALL, 3, 3, size, type,
 			  stride, pointer);
 }
 
@@ -128,7 +128,7 @@ void gl_FogCoordPointer(GLenum type, GLsizei stride, const void *pointer)
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.fog, ARRAY_REAL, 1, 1, type, stride,
+		array_set(context, &context->client.arrays.fog, ARRAY_REAL, 1, 1, 1, type, stride,
 			  pointer);
 }
 
@@ -138,7 +138,7 @@ void gl_IndexPointer(GLenum type, GLsizei stride, const void *pointer)
 
 	if (context)
 		array_set(context, &context->client.arrays.index, ARRAY_SIGNED | ARRAY_UBYTE, 1, 1,
-			  type, stride, pointer);
+			  1, type, stride, pointer);
 }
 
 void gl_EdgeFlagPointer(GLsizei stride, const void *pointer)
@@ -146,7 +146,7 @@ void gl_EdgeFlagPointer(GLsizei stride, const void *pointer)
 	struct gloss_context *context = gloss_outside();
 
 	if (context)
-		array_set(context, &context->client.arrays.edge, ARRAY_UBYTE, 1, 1,
+		array_set(context, &context->client.arrays.edge, ARRAY_UBYTE, 1, 1, 1,
 			  GL_UNSIGNED_BYTE, stride, pointer);
 }
 
@@ -158,8 +158,8 @@ void gl_TexCoordPointer(GLint size, GLenum type, GLsizei stride, const void *poi
 	if (!context)
 		return;
 	arrays = &context->client.arrays;
-	array_set(context, &arrays->texcoord[arrays->active], ARRAY_SIGNED, 1, size, type, stride,
-		  pointer);
+	array_set(context, &arrays->texcoord[arrays->active], ARRAY_SIGNED, 1, 4, size, type,
+		  stride, pointer);
 }
 
 void gl_ClientActiveTexture(GLenum texture)
@@ -243,7 +243,7 @@ static void array_interleave(struct gloss_context *context, struct gloss_client_
 {
 	array->enabled = size != 0;
 	if (size)
-		array_set(context, array, ARRAY_ALL, 1, size, type, stride,
+		array_set(context, array, ARRAY_ALL, 1, 4, size, type, stride,
 			  (const char *)pointer + offset);
 }
 

@@ -372,6 +372,8 @@ void gl_DrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, 
 void gl_MultiDrawElements(GLenum mode, const GLsizei *count, GLenum type,
 			  const void *const *indices, GLsizei drawcount)
 {
+	if (!array_begin_draw(mode, drawcount))
+		return;
 	for (GLsizei i = 0; i < drawcount; i++)
 		gl_DrawElements(mode, count[i], type, indices[i]);
 }

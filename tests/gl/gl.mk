@@ -6,7 +6,8 @@ GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=g
 	__EGL_VENDOR_LIBRARY_FILENAMES=$(abspath $(GL_FOLDER))/90_gloss.json GLOSS_DEVICE=model: \
 	GLOSS_CONFIG=/dev/null vblank_mode=0
 
-GL_SCENE_TESTS := $(addprefix test_gl_, draw array list light pixel get share texture texture_state)
+GL_SCENE_TESTS := $(addprefix test_gl_, draw array array_random list light pixel get share texture \
+	texture_state)
 GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_api $(GL_SCENE_TESTS)
 GL_THREAD_TESTS := test_egl_context test_gl_draw test_gl_share
 GL_TESTS := $(GL_EGL_TESTS) test_glx
@@ -16,12 +17,13 @@ $(GL_PROGRAMS): $(BUILD)/tests/gl/gl_display.o
 $(GL_SCENE_TESTS:%=$(BUILD)/tests/gl/%): $(BUILD)/tests/gl/gl_scene.o
 
 # Its calls are generated, and it asks the table of commands which of them there are.
-GL_CALLS := $(BUILD)/generated/api_calls.inc
-$(GL_CALLS): tests/gl/api_calls mesa_shim/api/commands.h
+GL_CALLS_INC := $(BUILD)/generated/api_calls.inc
+$(GL_CALLS_INC): tests/gl/api_calls mesa_shim/api/commands.h \
+		$(filter-out mesa_shim/api/% mesa_shim/window/%,$(SHIM_SOURCES))
 	@mkdir -p $(@D)
 	$(Q)$^ >$@
 FLAGS_tests/gl/test_gl_api.c = -Imesa_shim -I$(BUILD)/generated
-$(BUILD)/tests/gl/test_gl_api.o: $(GL_CALLS)
+$(BUILD)/tests/gl/test_gl_api.o: $(GL_CALLS_INC)
 $(BUILD)/tests/gl/test_gl_api: $(SHIM_OBJECTS) $(BUILD)/libaccel.a
 $(BUILD)/tests/gl/test_gl_api: private LIBS := -lcmocka -lEGL -lGL $(GL_LIBS) $(ACCEL_LIBS)
 
@@ -88,6 +90,14 @@ gl-demo: $(GL_DRAWING) $(BUILD)/examples/teapot ## glxgears and a teapot, Gourau
 
 gl-picture: $(GL_DRAWING) $(BUILD)/examples/teapot
 	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --write docs/pictures/opengl.png $(BUILD)/gl-demo
+
+# Any calls and arrays, many more than the unit tests have.
+.PHONY: gl-fuzz
+gl-fuzz: export GL_CALLS ?= 10000000
+gl-fuzz: export GL_ARRAYS ?= 100000
+gl-fuzz: ## millions of random calls of OpenGL under ASan and UBSan (GL_CALLS, GL_ARRAYS)
+	$(Q)+$(SANITIZED_MAKE) BUILD=$(BUILD)/asan CFLAGS='$(SANITIZED_CFLAGS)' \
+		run-test_gl_api run-test_gl_array_random
 
 # The device stays to the end, and with it threads, whose stacks look lost to valgrind.
 .PHONY: gl-valgrind

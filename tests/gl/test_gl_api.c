@@ -7,6 +7,7 @@
  */
 #include <EGL/egl.h>
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <limits.h>
 #include <math.h>
 
@@ -14,7 +15,7 @@
 #include "api/proc.h"
 #include "gl_display.h"
 
-#define CALLS 20000
+#define CALLS 50000
 #define BUFFER (1 << 20)
 #define NO_ENUM 0xdead
 
@@ -22,14 +23,19 @@
 struct api {
 	gloss_proc proc;
 	uint64_t seed;
+	const struct api_call *call;
 	bool no_enums; /* all are NO_ENUM, and the rest is harmless */
 	bool plain;    /* numbers are harmless */
+	bool minus;    /* but for sizes, which are -1 */
 };
 
 struct api_call {
 	const char *name;
 	void (*call)(struct api *api);
-	int enums; /* of its arguments */
+	int enums, sizes; /* of its arguments */
+	/* Some that it may take, those of the source that it is in. */
+	const unsigned int *known;
+	uint32_t knows;
 };
 
 static float input[BUFFER / sizeof(float)], output[BUFFER / sizeof(float)];
@@ -42,6 +48,8 @@ static unsigned int api_enum(struct api *api)
 
 	if (api->no_enums)
 		return NO_ENUM;
+	if (api->call->known && test_below(&api->seed, 8))
+		return api->call->known[test_below(&api->seed, api->call->knows)];
 	if (!test_below(&api->seed, 16))
 		return (unsigned int)test_random(&api->seed);
 	return from[test_below(&api->seed, 16)] + test_below(&api->seed, 64);
@@ -67,6 +75,11 @@ static int api_integer(struct api *api)
 	if (!test_below(&api->seed, 8))
 		return odd[test_below(&api->seed, 4)];
 	return (int)test_below(&api->seed, 9);
+}
+
+static int api_size(struct api *api)
+{
+	return api->minus ? -1 : api_integer(api);
 }
 
 static unsigned int api_bits(struct api *api)
@@ -100,11 +113,13 @@ static bool begins_with(const char *name, const char *const *list)
 	return false;
 }
 
-/* The function; NULL: the library has it not. libglvnd has one for each command, which does nothing
- * then, so the library's table says it. */
-static gloss_proc api_proc(const struct api_call *call)
+/* The next call is of this command; false: the library has it not. libglvnd has a function for each,
+ * which does nothing then, so the library's table says it. */
+static bool api_choose(struct api *api, const struct api_call *call)
 {
-	return gloss_proc_find(call->name) ? eglGetProcAddress(call->name) : NULL;
+	api->call = call;
+	api->proc = gloss_proc_find(call->name) ? eglGetProcAddress(call->name) : NULL;
+	return api->proc;
 }
 
 static int setup(void **state)
@@ -168,8 +183,7 @@ static void between_begin_and_end_others_are_invalid_operations(void **state)
 	for (size_t i = 0; i < API_CALLS; i++) {
 		GLenum error;
 
-		api.proc = api_proc(&api_calls[i]);
-		if (!api.proc || begins_with(api_calls[i].name, inside) ||
+		if (!api_choose(&api, &api_calls[i]) || begins_with(api_calls[i].name, inside) ||
 		    strstr(api_calls[i].name, "Pointer"))
 			continue;
 		glBegin(GL_TRIANGLES);
@@ -197,8 +211,8 @@ static void enums_that_are_none_are_invalid(void **state)
 	for (size_t i = 0; i < API_CALLS; i++) {
 		GLenum error;
 
-		api.proc = api_proc(&api_calls[i]);
-		if (!api.proc || !api_calls[i].enums || begins_with(api_calls[i].name, undefined))
+		if (!api_choose(&api, &api_calls[i]) || !api_calls[i].enums ||
+		    begins_with(api_calls[i].name, undefined))
 			continue;
 		api_calls[i].call(&api);
 		error = glGetError();
@@ -208,6 +222,28 @@ static void enums_that_are_none_are_invalid(void **state)
 	}
 	print_message("%d commands\n", called);
 	assert_true(called > 50);
+}
+
+/* Of commands without an enum, which would be the first error. */
+static void sizes_below_zero_are_invalid(void **state)
+{
+	struct api api = { .plain = true, .minus = true, .seed = test_seed() };
+	int called = 0;
+
+	(void)state;
+	for (size_t i = 0; i < API_CALLS; i++) {
+		GLenum error;
+
+		if (!api_choose(&api, &api_calls[i]) || !api_calls[i].sizes || api_calls[i].enums)
+			continue;
+		api_calls[i].call(&api);
+		error = glGetError();
+		if (error != GL_INVALID_VALUE)
+			fail_msg("%s: error %#x", api_calls[i].name, error);
+		called++;
+	}
+	print_message("%d commands\n", called);
+	assert_true(called > 5);
 }
 
 /* Those with which a program says where its memory is or ends. */
@@ -229,8 +265,7 @@ static void any_calls_in_any_order_do_no_harm(void **state)
 
 		errors += error != GL_NO_ERROR;
 		assert_true(!error || (error >= GL_INVALID_ENUM && error <= GL_OUT_OF_MEMORY));
-		api.proc = api_proc(call);
-		if (!api.proc || begins_with(call->name, dangerous))
+		if (!api_choose(&api, call) || begins_with(call->name, dangerous))
 			continue;
 		call->call(&api);
 		called++;
@@ -248,6 +283,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(between_begin_and_end_others_are_invalid_operations),
 		cmocka_unit_test(enums_that_are_none_are_invalid),
+		cmocka_unit_test(sizes_below_zero_are_invalid),
 		cmocka_unit_test(any_calls_in_any_order_do_no_harm),
 	};
 
