@@ -355,3 +355,28 @@ void gloss_emit_clear(struct gloss_context *context, const struct accel_clear *g
 	clear.rgba[3] = alpha ? clear.rgba[3] : 1;
 	emit_result(context, accel_draw_clear_masked(context->draw, context->plain, &clear));
 }
+
+bool gloss_emit_is_plain(const struct gloss_context *context)
+{
+	const struct gloss_attributes *attributes = &context->attributes;
+	const GLboolean *mask = attributes->colour_buffer.mask;
+
+	return !(attributes->depth.test && context->visual.depth) &&
+	       attributes->colour_buffer.draw_buffer != GL_NONE && mask[0] && mask[1] && mask[2] &&
+	       (mask[3] || !context->visual.alpha);
+}
+
+void gloss_emit_write(struct gloss_context *context, enum accel_plane plane,
+		      const struct accel_rectangle *part, const uint32_t *pixels)
+{
+	struct accel_target *target;
+
+	/* A frame that was begun clears what is new. */
+	if (!gloss_emit_begin(context))
+		return;
+	target = context->target;
+	gloss_context_flush(context);
+	gloss_error_accel(context, accel_target_write(target, plane, part, pixels,
+						      (size_t)part->width * sizeof(*pixels)));
+	gloss_emit_touch(context);
+}

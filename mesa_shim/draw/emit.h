@@ -23,6 +23,14 @@ void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *a
  */
 void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4], uint32_t count,
 			   float z, const float rgba[4], bool tested, bool colour, bool depth);
+/* Whether pixels are written as they are: no test is on, and of the colour all is written. */
+bool gloss_emit_is_plain(const struct gloss_context *context);
+/*
+ * Writes a plane of the pixels in @part, from the top left of the target and within it, after what was
+ * drawn so far and past all state.
+ */
+void gloss_emit_write(struct gloss_context *context, enum accel_plane plane,
+		      const struct accel_rectangle *part, const uint32_t *pixels);
 /* Clears under scissor and colour mask; @clear has a mask that is to be cleared. */
 void gloss_emit_clear(struct gloss_context *context, const struct accel_clear *clear);
 

@@ -2,8 +2,10 @@
 #include "pixel/pixels.h"
 
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "state/command.h"
 #include "state/pixel_store.h"
 
 /* Rows of all slices, one below the other. */
@@ -59,6 +61,8 @@ void gloss_pixels_put(const struct gloss_pixels *pixels, GLsizei y, GLsizei z,
 				       at + (size_t)x * format->size, row[x]);
 }
 
+/* ---- in lists ---- */
+
 static size_t pixels_packed_row(const struct gloss_pixels *pixels)
 {
 	if (pixels->format.type == GL_BITMAP)
@@ -66,38 +70,81 @@ static size_t pixels_packed_row(const struct gloss_pixels *pixels)
 	return (size_t)pixels->width * pixels->format.size;
 }
 
-size_t gloss_pixels_packed_size(const struct gloss_pixels *pixels)
+/* Bytes of a copy without gaps behind a call of @size; SIZE_MAX: too many. */
+static size_t pixels_packed_size(const struct gloss_pixels *pixels, size_t size)
 {
-	size_t size;
+	size_t image;
 
-	if (__builtin_mul_overflow(pixels_packed_row(pixels), (size_t)pixels->height, &size) ||
-	    __builtin_mul_overflow(size, (size_t)pixels->depth, &size))
+	if (__builtin_mul_overflow(pixels_packed_row(pixels), (size_t)pixels->height, &image) ||
+	    __builtin_mul_overflow(image, (size_t)pixels->depth, &image) ||
+	    __builtin_add_overflow(image, size, &size))
 		return SIZE_MAX;
 	return size;
 }
 
-void gloss_pixels_pack(const struct gloss_pixels *pixels, void *to, struct gloss_pixels *copy)
+static void pixels_pack_bits(const struct gloss_pixels *pixels,
+			     const struct gloss_pixel_store *store, GLubyte *to, GLsizei y)
+{
+	for (GLsizei x = 0; x < pixels->width; x++)
+		gloss_pixel_store_put_bit(store, to, pixels->width, x, y,
+					  gloss_pixel_store_bit(&pixels->store, pixels->from,
+								pixels->width, x, y));
+}
+
+/* Bytes stay in their order. */
+static void pixels_pack(struct gloss_pixels *copy, const struct gloss_pixels *pixels, void *to)
 {
 	const size_t size = pixels_packed_row(pixels);
+	char *row = to;
 
-	*copy = *pixels;
 	copy->store = (struct gloss_pixel_store){ .alignment = 1,
 						  .swap_bytes = pixels->store.swap_bytes };
-	copy->from = to;
 	for (GLsizei z = 0; z < pixels->depth; z++)
-		for (GLsizei y = 0; y < pixels->height; y++) {
-			char *row = (char *)to +
-				    ((size_t)z * (size_t)pixels->height + (size_t)y) * size;
-
-			for (GLsizei x = 0; x < pixels->width && pixels->format.type == GL_BITMAP;
-			     x++)
-				gloss_pixel_store_put_bit(&copy->store, to, pixels->width, x, y,
-							  gloss_pixel_store_bit(&pixels->store,
-										pixels->from,
-										pixels->width, x,
-										y));
-			if (pixels->format.type != GL_BITMAP)
+		for (GLsizei y = 0; y < pixels->height; y++, row += size)
+			if (pixels->format.type == GL_BITMAP)
+				pixels_pack_bits(pixels, &copy->store, to, y);
+			else
 				memcpy(row, (const char *)pixels->from + pixels_at(pixels, y, z),
 				       size);
-		}
+}
+
+static void pixels_record(struct gloss_context *context, gloss_play_fn play,
+			  const struct gloss_pixels *call, size_t size)
+{
+	const size_t whole = pixels_packed_size(call, size);
+	struct gloss_pixels *copy = whole == SIZE_MAX ? NULL : calloc(1, whole);
+
+	if (!copy) {
+		gloss_error(context, GL_OUT_OF_MEMORY);
+		return;
+	}
+	memcpy(copy, call, size);
+	copy->packed = size;
+	pixels_pack(copy, call, (char *)copy + size);
+	if (gloss_listed(play, copy, whole))
+		play(context, copy);
+	free(copy);
+}
+
+void gloss_pixels_issue(gloss_play_fn play, const struct gloss_pixels *call, size_t size,
+			bool valid)
+{
+	struct gloss_context *context = gloss_current();
+
+	if (context && context->compiling.list && valid) {
+		pixels_record(context, play, call, size);
+		return;
+	}
+	context = gloss_listed(play, call, size);
+	if (context)
+		play(context, call);
+}
+
+struct gloss_pixels gloss_pixels_of(const struct gloss_pixels *call)
+{
+	struct gloss_pixels pixels = *call;
+
+	if (call->packed)
+		pixels.from = (const char *)call + call->packed;
+	return pixels;
 }

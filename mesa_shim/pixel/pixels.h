@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "draw/list.h"
 #include "draw/pixel_format.h"
 #include "state/client.h"
 
@@ -15,14 +16,21 @@ struct gloss_pixels {
 	struct gloss_pixel_store store;
 	const void *from; /* where the image is read, */
 	void *to;         /* or written */
+	size_t packed;    /* the image is so many bytes behind this struct; 0: it is at @from */
 };
 
 /* Pixels of row @y of slice @z: RGBA, depth or index first. */
 void gloss_pixels_get(const struct gloss_pixels *pixels, GLsizei y, GLsizei z, float (*row)[4]);
 void gloss_pixels_put(const struct gloss_pixels *pixels, GLsizei y, GLsizei z,
 		      const float (*row)[4]);
-/* Bytes of a copy without gaps, and that copy, which is described in @copy as well. */
-size_t gloss_pixels_packed_size(const struct gloss_pixels *pixels);
-void gloss_pixels_pack(const struct gloss_pixels *pixels, void *to, struct gloss_pixels *copy);
+
+/*
+ * Does @play now, or puts it into the list that is being compiled. @call, of @size bytes, begins with
+ * the pixels; if @valid, a list keeps a copy of the image behind it.
+ */
+void gloss_pixels_issue(gloss_play_fn play, const struct gloss_pixels *call, size_t size,
+			bool valid);
+/* The pixels of such a call, with @from. */
+struct gloss_pixels gloss_pixels_of(const struct gloss_pixels *call);
 
 #endif

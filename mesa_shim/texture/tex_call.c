@@ -2,9 +2,7 @@
 #include "texture/tex_call.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-#include "draw/batch.h"
 #include "draw/read.h"
 #include "state/command.h"
 
@@ -37,46 +35,9 @@ static bool tex_call_packs(const struct gloss_tex_call *call)
 	return call->pixels.from && call->error == GL_NO_ERROR;
 }
 
-static void tex_call_record(struct gloss_context *context, gloss_play_fn play,
-			    const struct gloss_tex_call *call)
-{
-	const size_t size = gloss_pixels_packed_size(&call->pixels);
-	struct gloss_tex_call *copy = NULL;
-
-	if (size <= SIZE_MAX - sizeof(*copy))
-		copy = malloc(sizeof(*copy) + size);
-	if (!copy) {
-		gloss_error(context, GL_OUT_OF_MEMORY);
-		return;
-	}
-	*copy = *call;
-	gloss_pixels_pack(&call->pixels, copy + 1, &copy->pixels);
-	copy->packed = true;
-	if (gloss_listed(play, copy, sizeof(*copy) + size))
-		play(context, copy);
-	free(copy);
-}
-
 void gloss_tex_call_issue(gloss_play_fn play, const struct gloss_tex_call *call)
 {
-	struct gloss_context *context = gloss_current();
-
-	if (context && context->compiling.list && tex_call_packs(call)) {
-		tex_call_record(context, play, call);
-		return;
-	}
-	context = gloss_listed(play, call, sizeof(*call));
-	if (context)
-		play(context, call);
-}
-
-struct gloss_pixels gloss_tex_call_pixels(const struct gloss_tex_call *call)
-{
-	struct gloss_pixels pixels = call->pixels;
-
-	if (call->packed)
-		pixels.from = call + 1;
-	return pixels;
+	gloss_pixels_issue(play, &call->pixels, sizeof(*call), tex_call_packs(call));
 }
 
 GLenum gloss_tex_call_error(const struct gloss_tex_call *call, GLenum base)
@@ -101,7 +62,7 @@ static float (*tex_row(struct gloss_context *context, GLsizei width))[4]
 void gloss_tex_call_store(struct gloss_context *context, const struct gloss_tex_call *call,
 			  const struct gloss_texture_image *image, const GLint at[3])
 {
-	const struct gloss_pixels pixels = gloss_tex_call_pixels(call);
+	const struct gloss_pixels pixels = gloss_pixels_of(&call->pixels);
 	const GLsizei width = pixels.width;
 	float(*row)[4] = tex_row(context, width);
 

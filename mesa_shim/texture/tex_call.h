@@ -8,12 +8,11 @@
 #include "texture/texture.h"
 
 struct gloss_tex_call {
+	struct gloss_pixels pixels; /* from NULL: there are none */
 	GLenum target, format;
 	GLint dimensions, level, internal, border, at[3];
 	GLsizei size[3];
-	GLenum error;               /* of format and type */
-	struct gloss_pixels pixels; /* from NULL: there are none */
-	bool packed;                /* the data follow the call */
+	GLenum error; /* of format and type */
 };
 
 /* What glTex*Image has of its arguments; @size 1 where it has no dimension. */
@@ -21,8 +20,6 @@ void gloss_tex_call_init(struct gloss_tex_call *call, GLenum format, GLenum type
 			 const void *pixels);
 /* Does @play now, or puts it into the list that is being compiled. */
 void gloss_tex_call_issue(gloss_play_fn play, const struct gloss_tex_call *call);
-/* The pixels of a call that may be in a list. */
-struct gloss_pixels gloss_tex_call_pixels(const struct gloss_tex_call *call);
 /* Puts them into @image, from @at on, border counted. */
 void gloss_tex_call_store(struct gloss_context *context, const struct gloss_tex_call *call,
 			  const struct gloss_texture_image *image, const GLint at[3]);

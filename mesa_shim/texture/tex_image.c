@@ -114,7 +114,7 @@ static void play_image(struct gloss_context *context, const void *data)
 	gloss_texture_lock(context);
 	if (!gloss_texture_image_set(image, &like))
 		gloss_error(context, GL_OUT_OF_MEMORY);
-	else if (gloss_tex_call_pixels(call).from)
+	else if (gloss_pixels_of(&call->pixels).from)
 		gloss_tex_call_store(context, call, image, first);
 	gloss_texture_generate(place.texture, place.face, call->level);
 	gloss_texture_unlock(context);

@@ -59,7 +59,7 @@ static void tex_sub_image(struct gloss_context *context, const struct gloss_tex_
 		gloss_error(context, error);
 		return;
 	}
-	if (!tex_has_part(context, image, at, call->size) || !gloss_tex_call_pixels(call).from)
+	if (!tex_has_part(context, image, at, call->size) || !gloss_pixels_of(&call->pixels).from)
 		return;
 	gloss_batch_draw(context);
 	tex_place_part(image, call->dimensions, at);
