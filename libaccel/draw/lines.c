@@ -26,16 +26,17 @@ static int32_t lines_between(int32_t a, int32_t b, double t)
 	return a + (int32_t)((b - a) * t);
 }
 
-/* The place on the screen that is @t of the way. */
+/* The place that is @t of the way on the screen, which in space is another part of it. */
 static void lines_cut(const struct accel_vertex *a, const struct accel_vertex *b, double t,
 		      struct accel_vertex *vertex)
 {
-	const float part = (float)t;
+	const double of_a = (1 - t) / (double)a->w, of_b = t / (double)b->w;
+	const float part = (float)(of_b / (of_a + of_b));
 
 	*vertex = *a;
 	vertex->x = lines_between(a->x, b->x, t);
 	vertex->y = lines_between(a->y, b->y, t);
-	vertex->w = a->w + part * (b->w - a->w);
+	vertex->w = (float)(1 / (of_a + of_b));
 	vertex->z = a->z + t * (b->z - a->z);
 	for (int i = 0; i < 4; i++)
 		vertex->sample.colour[i] = a->sample.colour[i] +

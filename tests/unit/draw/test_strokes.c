@@ -200,6 +200,35 @@ static void colours_run_along_a_line_or_are_its_second_vertex_s(void **state)
 	}
 }
 
+/* In perspective, too, where half of a line on the screen is another part of it in space. */
+static void a_stippled_line_has_the_colours_of_a_whole_one(void **state)
+{
+	static const float line[2][4] = { { 0, 20.5f, 0, 1 }, { 8 * 64, 8 * 20.5f, 0, 8 } };
+	static const float colour[2][4] = { { 0, 1, 0.25f, 1 }, { 1, 0, 0.75f, 1 } };
+	static const struct accel_primitive primitive = { ACCEL_TOPOLOGY_LINES, 0, 2 };
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &primitive,
+							      .primitives = 1);
+	const struct accel_arrays arrays = ACCEL_ARRAYS(.vertices = 2, .position = { .data = line },
+							.colour = { .data = colour });
+	struct fixture *f = *state;
+	uint32_t whole[SIDE];
+
+	for (int stippled = 0; stippled < 2; stippled++) {
+		line_width(f, 1, 0x00ff, (uint16_t)stippled);
+		begin(f);
+		assert_int_equal(accel_draw_arrays(f->draw, f->state, &arrays, &elements), 0);
+		finish(f);
+		for (int x = 0; x < SIDE; x++)
+			for (int i = 0; i < 3 && x % 16 < 8 && stippled; i++) {
+				int a = (int)(pixel(x, 20) >> 8 * i & 0xff);
+
+				assert_true(abs(a - (int)(whole[x] >> 8 * i & 0xff)) <= 2);
+			}
+		for (int x = 0; x < SIDE; x++)
+			whole[x] = pixel(x, 20);
+	}
+}
+
 /* From in front of the eye to behind it: it leaves the view, and its colour there is in between. */
 static void a_line_is_cut_where_it_leaves_the_view(void **state)
 {
@@ -413,6 +442,7 @@ int main(void)
 		strokes_test(a_stipple_is_counted_along_its_primitive),
 		strokes_test(a_stipple_without_a_bit_draws_nothing),
 		strokes_test(colours_run_along_a_line_or_are_its_second_vertex_s),
+		strokes_test(a_stippled_line_has_the_colours_of_a_whole_one),
 		strokes_test(a_line_is_cut_where_it_leaves_the_view),
 		strokes_test(a_point_is_a_square_around_its_place),
 		strokes_test(points_get_smaller_with_distance),
