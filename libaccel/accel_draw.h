@@ -59,9 +59,9 @@ int accel_target_read(struct accel_target *target, enum accel_plane plane,
 /*
  * Writes the pixels of @plane that are in @part, or all if that is NULL, after all jobs that were
  * submitted before, and past everything that a state says. Rows lie in @pixels as accel_target_read
- * puts them there, and are copied. Bits 31:24 of a depth are ignored, and zero on the target. A frame
- * that is being collected is not on the target: submit what is to be written over first. On return
- * all is written. After an error other than -EINVAL some rows may have been.
+ * puts them there, and are copied. Bits 31:24 of a depth are ignored, and zero on the target. A
+ * frame that is being collected is not on the target: submit what is to be written over first. On
+ * return all is written. After an error other than -EINVAL some rows may have been.
  * -EINVAL: as accel_target_read. -EIO, -ENODEV.
  */
 int accel_target_write(struct accel_target *target, enum accel_plane plane,
@@ -87,7 +87,19 @@ enum accel_compare {
 	ACCEL_COMPARE_ALWAYS
 };
 
-enum accel_cull { ACCEL_CULL_NONE, ACCEL_CULL_BACK, ACCEL_CULL_FRONT };
+enum accel_cull {
+	ACCEL_CULL_NONE,
+	ACCEL_CULL_BACK,
+	ACCEL_CULL_FRONT,
+	ACCEL_CULL_BOTH /* points and lines are still drawn */
+};
+
+/* What is drawn of a polygon. */
+enum accel_polygon_mode {
+	ACCEL_POLYGON_FILL,  /* all of it */
+	ACCEL_POLYGON_LINES, /* a line along each edge of its outline, */
+	ACCEL_POLYGON_POINTS /* a point where each of these begins */
+};
 
 /* What becomes of the length of normals. */
 enum accel_normals {
@@ -144,8 +156,8 @@ struct accel_light {
 
 /*
  * Lines, drawn as so many whole pixels beside each other. With a @repeat they have a stipple: every
- * @repeat pixels along a line, from the beginning of its primitive on, the next bit of @stipple, from
- * bit 0 on, says whether it is drawn there.
+ * @repeat pixels along a line, from the beginning of its primitive on, the next bit of @stipple,
+ * from bit 0 on, says whether it is drawn there.
  */
 struct accel_line_style {
 	size_t size;      /* of this struct, bytes: set by ACCEL_LINE_STYLE() */
@@ -210,6 +222,23 @@ void accel_state_set_cull(struct accel_state *state, enum accel_cull cull);
 /* Which way front faces turn in NDC, y up: false, the default: counter-clockwise. */
 void accel_state_set_front_face(struct accel_state *state, bool clockwise);
 /*
+ * How polygons are drawn of which the front or the back is seen; filled by default. Lines and
+ * points have the styles of such, and the light of the polygon's side. A polygon is what the
+ * topology's name says, not the triangles that it is filled with. Its outline is the edges whose
+ * first vertex has an edge flag (accel_arrays.edge), and those that clipping makes, which is not
+ * where it leaves the viewport.
+ */
+void accel_state_set_polygon_mode(struct accel_state *state, enum accel_polygon_mode front,
+				  enum accel_polygon_mode back);
+/*
+ * To the depth of polygons is added: @factor times what it changes by from one pixel to the next,
+ * across or down, whichever is more; and @units times 1/(2^24 - 1), the least that two depths
+ * differ by. @modes: where, of 1u << ACCEL_POLYGON_FILL and so on; 0, the default: nowhere.
+ * -EINVAL: a number is not finite; @modes has other bits.
+ */
+int accel_state_set_polygon_offset(struct accel_state *state, float factor, float units,
+				   unsigned int modes);
+/*
  * Where NDC y = -1 is. False, the default: at the bottom of the viewport, so that y is up on the
  * target. True: at its top, which is nearest to row 0, as in textures of OpenGL. Viewport and
  * scissor are as ever, and so is which faces are front faces.
@@ -247,8 +276,8 @@ int accel_state_set_material(struct accel_state *state, const struct accel_mater
  * is negative; a spot's exponent or cutoff is out of range; the size is not set or @reserved is.
  * -E2BIG: @light has members that are not known. */
 int accel_state_set_light(struct accel_state *state, int index, const struct accel_light *light);
-/* -EINVAL: a width is negative or no number; the size is not set. -E2BIG: @style has members that are
- * not known. */
+/* -EINVAL: a width is negative or no number; the size is not set. -E2BIG: @style has members that
+ * are not known. */
 int accel_state_set_line_style(struct accel_state *state, const struct accel_line_style *style);
 /* -EINVAL: a width or an attenuation is negative or no number; the size is not set. -E2BIG: @style
  * has members that are not known. */
@@ -259,9 +288,10 @@ void accel_state_set_shading(struct accel_state *state, enum accel_shading shadi
 /* ---- mesh: lent for the duration of a call ---- */
 
 /*
- * What vertices make, in OpenGL's order. Points and lines have the light of their vertices, of front
- * sides and linear between. Of vertices that make no whole primitive nothing is drawn. A polygon has to be convex. With
- * ACCEL_SHADING_FLAT a primitive has the colour of its last vertex, and a polygon that of its first.
+ * What vertices make, in OpenGL's order. Points and lines have the light of their vertices, of
+ * front sides and linear between. Of vertices that make no whole primitive nothing is drawn. A
+ * polygon has to be convex. With ACCEL_SHADING_FLAT a primitive has the colour of its last vertex,
+ * and a polygon that of its first.
  */
 enum accel_topology {
 	ACCEL_TOPOLOGY_POINTS,
@@ -327,6 +357,9 @@ struct accel_arrays {
 	struct accel_array position; /* x, y, z, w; without w it is 1, without z that is 0 */
 	struct accel_array normal;   /* x, y, z, of any length; none: flat, from the triangle */
 	struct accel_array colour;   /* RGBA; or RGB, and alpha is 1 */
+	/* Not 0: the edge that begins there, of a triangle, quad or polygon of its own, is one of its
+	 * outline. None: all are. */
+	struct accel_array edge;
 };
 #define ACCEL_ARRAYS(...) ACCEL_SIZED(accel_arrays, __VA_ARGS__)
 
@@ -336,7 +369,7 @@ struct accel_primitive {
 	uint32_t first, count;
 };
 
-/* Primitives of one set of arrays, drawn in order: as many as thousands cost no more than one call. */
+/* Primitives of one set of arrays, drawn in order: thousands cost no more than one call. */
 struct accel_elements {
 	size_t size; /* of this struct, bytes: set by ACCEL_ELEMENTS() */
 	const struct accel_primitive *primitive;
@@ -363,8 +396,8 @@ struct accel_clear {
 #define ACCEL_CLEAR(...) ACCEL_SIZED(accel_clear, __VA_ARGS__)
 
 /*
- * What became of the triangles of a frame, of which points and lines are some. A new frame begins at
- * zero.
+ * What became of the triangles of a frame, of which points and lines are some. A new frame begins
+ * at zero.
  */
 struct accel_draw_stats {
 	uint64_t triangles_in;               /* before clipping, culling and splitting */
@@ -436,8 +469,8 @@ int accel_draw_rectangles(struct accel_draw *draw, const struct accel_state *sta
 /*
  * Nobody will read what the frame leaves in @planes, of ACCEL_CLEAR_*: the board need not store it,
  * which is up to half of its work on large pictures. After the frame each pixel of these planes may
- * have what it had before the frame or anything that the frame gave it. Call it at any place of
- * a frame, for that frame alone; most call it for ACCEL_CLEAR_DEPTH, if the next begins by clearing.
+ * have what it had before the frame or anything that the frame gave it. Call it at any place of a
+ * frame, for that frame alone; most call it for ACCEL_CLEAR_DEPTH, if the next begins by clearing.
  * -EINVAL: no frame was begun; @planes has no bit, or others.
  */
 int accel_draw_discard(struct accel_draw *draw, unsigned int planes);
@@ -477,6 +510,34 @@ int accel_draw_mesh(struct accel_draw *draw, const struct accel_state *state,
  */
 int accel_draw_arrays(struct accel_draw *draw, const struct accel_state *state,
 		      const struct accel_arrays *arrays, const struct accel_elements *elements);
+
+/* What is captured. */
+enum accel_captured {
+	ACCEL_CAPTURED_POINT,
+	ACCEL_CAPTURED_LINE_FIRST, /* with which a stipple would begin anew */
+	ACCEL_CAPTURED_LINE,
+	ACCEL_CAPTURED_POLYGON
+};
+
+struct accel_captured_vertex {
+	float window[4]; /* pixels from the top left corner of the target, depth, w of clip space */
+	float colour[4]; /* RGBA, 0 to 1 */
+};
+
+/* Receives a point, a line of 2 vertices or a polygon of 3 or more, lent for the call, which must
+ * not use the draw. */
+typedef void (*accel_capture_fn)(void *data, enum accel_captured what,
+				 const struct accel_captured_vertex *vertex, uint32_t vertices);
+
+/*
+ * From here on accel_draw_arrays and accel_draw_mesh draw nothing and give @call what they would
+ * draw: primitives as the topology names them, each clipped to the view volume and the state's
+ * planes, culled, lit, and in the mode of polygons. What is a part of a pixel is not rounded, nor
+ * is depth offset. Of what the target and 2000 pixels around it do not reach nothing is captured.
+ * NULL ends it, and so does accel_draw_begin.
+ * -EINVAL: no frame was begun.
+ */
+int accel_draw_capture(struct accel_draw *draw, accel_capture_fn call, void *data);
 
 /*
  * Fills @stats, of which the caller has @size bytes: sizeof(*stats). The counts so far; stream

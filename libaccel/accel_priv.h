@@ -77,7 +77,10 @@ struct accel_state {
 	bool depth_write;
 	bool colour_mask[4];
 	enum accel_cull cull;
-	bool clockwise, bottom; /* front faces; row 0 is NDC y = -1 */
+	bool clockwise, bottom;                  /* front faces; row 0 is NDC y = -1 */
+	enum accel_polygon_mode polygon_mode[2]; /* front, back */
+	float offset_factor, offset_units;
+	unsigned int offset_modes; /* bit 1 << mode: added there, and not nothing */
 	enum accel_normals normals;
 	bool lighting, two_sided, local_viewer;
 	enum accel_tracks tracks[2]; /* front, back */

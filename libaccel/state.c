@@ -122,6 +122,24 @@ void accel_state_set_cull(struct accel_state *state, enum accel_cull cull)
 	state->cull = cull;
 }
 
+void accel_state_set_polygon_mode(struct accel_state *state, enum accel_polygon_mode front,
+				  enum accel_polygon_mode back)
+{
+	state->polygon_mode[0] = front;
+	state->polygon_mode[1] = back;
+}
+
+int accel_state_set_polygon_offset(struct accel_state *state, float factor, float units,
+				   unsigned int modes)
+{
+	if (!isfinite(factor) || !isfinite(units) || modes >> (ACCEL_POLYGON_POINTS + 1))
+		return -EINVAL;
+	state->offset_factor = factor;
+	state->offset_units = units;
+	state->offset_modes = factor != 0 || units != 0 ? modes : 0;
+	return 0;
+}
+
 void accel_state_set_front_face(struct accel_state *state, bool clockwise)
 {
 	state->clockwise = clockwise;

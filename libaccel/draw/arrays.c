@@ -84,6 +84,9 @@ static int arrays_fetch(struct accel_pass *pass)
 	if (!err)
 		err = accel_fetch_init(&pass->colour, pass->device, ACCEL_ATTRIBUTE_COLOUR,
 				       &arrays->colour);
+	if (!err)
+		err = accel_fetch_init(&pass->edge, pass->device, ACCEL_ATTRIBUTE_EDGE,
+				       &arrays->edge);
 	return err;
 }
 

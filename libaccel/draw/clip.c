@@ -8,7 +8,6 @@
  */
 #include "draw/geometry_window.h"
 #include "draw/triangle.h"
-#include "draw/wide.h"
 
 static struct accel_wide clip_place(const struct accel_corner *corner, int i)
 {
@@ -96,56 +95,64 @@ static void clip_between(const struct accel_corner *inside, const struct accel_c
 	corner->vertex.sampled = 0;
 }
 
+/* A corner on the edge from @from to the next, where the plane cuts it. */
+static void clip_edge(const struct accel_corner *from, const struct accel_corner *next, bool leaves,
+		      struct accel_corner *corner)
+{
+	if (leaves)
+		clip_between(from, next, from->cut, next->cut, corner);
+	else
+		clip_between(next, from, next->cut, from->cut, corner);
+	/* Along the plane a new edge begins; else it is the rest of this one. */
+	corner->boundary = leaves || from->boundary;
+}
+
 /*
- * Cuts by the plane that corners are at distances @d from. Rounding may let a sliver cross it more
+ * Cuts by the plane that corners are at distances @cut from. Rounding may let a sliver cross it more
  * than twice; what does not fit is left out.
  */
-static int clip_cut(const struct accel_wide *d, int corners,
-		    struct accel_corner polygon[ACCEL_POLYGON_MAX])
+static int clip_cut(const struct accel_clipped *polygon, int corners)
 {
-	struct accel_corner in[ACCEL_POLYGON_MAX];
+	struct accel_corner *in = polygon->spare, *out = polygon->corner;
 	int kept = 0;
 
 	for (int i = 0; i < corners; i++)
-		in[i] = polygon[i];
-	for (int i = 0; i < corners && kept + 2 <= ACCEL_POLYGON_MAX; i++) {
-		int next = (i + 1) % corners;
-		bool inside = d[i].high >= 0, next_inside = d[next].high >= 0;
+		in[i] = out[i];
+	for (int i = 0; i < corners && kept + 2 <= polygon->most; i++) {
+		const struct accel_corner *next = &in[(i + 1) % corners];
+		const bool inside = in[i].cut.high >= 0;
 
 		if (inside)
-			polygon[kept++] = in[i];
-		if (inside && !next_inside)
-			clip_between(&in[i], &in[next], d[i], d[next], &polygon[kept++]);
-		else if (!inside && next_inside)
-			clip_between(&in[next], &in[i], d[next], d[i], &polygon[kept++]);
+			out[kept++] = in[i];
+		if (inside != (next->cut.high >= 0))
+			clip_edge(&in[i], next, inside, &out[kept++]);
 	}
 	return kept;
 }
 
 int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
-		       struct accel_corner polygon[ACCEL_POLYGON_MAX])
+		       const struct accel_clipped *polygon, int corners)
 {
-	struct accel_wide d[ACCEL_POLYGON_MAX];
+	struct accel_corner *corner = polygon->corner;
 	struct clip_plane plane;
-	int corners = 3;
 
 	for (int number = 0; number < ACCEL_CLIP_PLANES && corners; number++) {
 		if (!(planes >> number & 1))
 			continue;
 		clip_find_plane(window, number, &plane);
 		for (int i = 0; i < corners; i++)
-			d[i] = clip_distance(&plane, &polygon[i]);
-		corners = clip_cut(d, corners, polygon);
+			corner[i].cut = clip_distance(&plane, &corner[i]);
+		corners = clip_cut(polygon, corners);
 	}
 	for (int number = 0; number < ACCEL_USER_CLIP_PLANES && corners; number++) {
 		if (!(planes >> ACCEL_OUTSIDE_USER_BIT >> number & 1))
 			continue;
 		for (int i = 0; i < corners; i++)
-			d[i] = (struct accel_wide){ polygon[i].distance[number], 0 };
-		corners = clip_cut(d, corners, polygon);
+			corner[i].cut = (struct accel_wide){ corner[i].distance[number], 0 };
+		corners = clip_cut(polygon, corners);
 	}
 	for (int i = 0; i < corners; i++)
-		accel_geometry_project(window, polygon[i].clip, &polygon[i].vertex);
+		accel_geometry_project(window, corner[i].clip, &corner[i].vertex);
 	return corners < 3 ? 0 : corners;
 }
 

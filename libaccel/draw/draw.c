@@ -88,6 +88,7 @@ int accel_draw_begin(struct accel_draw *draw, struct accel_target *target,
 	accel_draw_lose(draw);
 	draw->target = *target;
 	draw->has_target = true;
+	draw->capture.call = NULL;
 	err = accel_bin_begin(&draw->bin, target->width, target->height);
 	if (err) {
 		accel_draw_lose(draw);
@@ -122,13 +123,15 @@ static int draw_figure(struct accel_draw *draw, struct accel_pass *pass)
 	if (err || (!pass->triangles && !pass->strict))
 		return err;
 	accel_geometry_init(&pass->transform, state, draw->target.width, draw->target.height);
+	if (pass->capture.call)
+		accel_geometry_view(&pass->transform.window, state);
 	if (pass->lit)
 		accel_lighting_init(&pass->lighting, state, pass->painted);
 	accel_bin_state(&draw->bin, state, &pass->transform.window.visible);
 	return accel_slices_draw(&draw->slices, pass);
 }
 
-/* Points and lines have the light of their vertices, linear between, whatever the shading is. */
+/* Those and outlines have the light of their vertices, linear between, whatever the shading is. */
 static int draw_strokes(struct accel_draw *draw, const struct accel_pass *given)
 {
 	struct accel_state state = *given->state;
@@ -137,8 +140,17 @@ static int draw_strokes(struct accel_draw *draw, const struct accel_pass *given)
 	if (state.shading != ACCEL_SHADING_FLAT)
 		state.shading = ACCEL_SHADING_GOURAUD;
 	pass.state = &state;
+	pass.filled = given->state;
 	pass.interpolated = true;
+	pass.offset = false;
 	return draw_figure(draw, &pass);
+}
+
+/* Is there a side that is seen and not filled? */
+static bool draw_has_outlines(const struct accel_state *state)
+{
+	return (state->cull != ACCEL_CULL_FRONT && state->polygon_mode[0]) ||
+	       (state->cull != ACCEL_CULL_BACK && state->polygon_mode[1]);
 }
 
 /* @strict: what is not finite is an error. After -ENOMEM the frame is lost. */
@@ -152,15 +164,18 @@ static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		.arrays = arrays,
 		.elements = elements,
 		.strict = strict,
+		.capture = draw->capture,
 		.lit = state->lighting,
 		.painted = state->lighting && arrays->colour.data &&
 			   (state->tracks[0] || state->tracks[1]),
-		.interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD,
 		.bin = &draw->bin,
 		.stats = &draw->stats,
 	};
+	const bool one_by_one = draw->capture.call || draw_has_outlines(state);
 	struct accel_elements part = *elements;
 	int err = accel_arrays_check(&pass);
+
+	accel_pass_shade(&pass, state);
 
 	for (uint32_t i = 0; i < elements->primitives && !err; i += part.primitives) {
 		part.primitive = &elements->primitive[i];
@@ -171,6 +186,8 @@ static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		       accel_primitives_figure(part.primitive[part.primitives].topology) ==
 			       pass.figure)
 			part.primitives++;
+		if (pass.figure == ACCEL_FIGURE_FILLED && one_by_one)
+			pass.figure = ACCEL_FIGURE_POLYGONS;
 		err = pass.figure == ACCEL_FIGURE_FILLED ? draw_figure(draw, &pass) :
 							   draw_strokes(draw, &pass);
 	}

@@ -12,6 +12,7 @@ struct accel_draw {
 	struct accel_target target;    /* of this frame, a reference to each of its parts */
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
+	struct accel_capture capture;
 	struct accel_slices slices; /* of a mesh; memory and threads are kept from mesh to mesh */
 };
 

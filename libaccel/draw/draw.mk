@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # From meshes to command streams. In the order a triangle passes through them.
 
-DRAW_SOURCES := $(addprefix libaccel/draw/, draw.c clear.c arrays.c primitives.c slices.c mesh.c strokes.c points.c lines.c group.c face.c geometry.c fetch.c clip.c \
+DRAW_SOURCES := $(addprefix libaccel/draw/, draw.c clear.c arrays.c primitives.c slices.c mesh.c strokes.c points.c lines.c polygons.c capture.c offset.c group.c face.c geometry.c fetch.c clip.c \
 	lighting.c patch.c shading.c spot.c interpolate.c split.c few.c leaf.c surface.c setup.c small.c record.c \
 	record_small.c bin.c fill.c content.c frame.c kernel.c kernel_baseline.c kernel_avx2.c kernel_avx512.c)
 

@@ -9,6 +9,9 @@
  *   primitives.c the triangles of primitives
  *   mesh.c       vertices to the screen, culling
  *   points.c, lines.c, strokes.c  points and lines as triangles
+ *   polygons.c   polygons that are drawn as points or lines, or captured
+ *   capture.c    what is given to the program instead of being drawn
+ *   offset.c     what is added to the depth of polygons
  *   fetch.c      elements of arrays
  *   geometry.c   vertices to the window, each once
  *   kernel.c     loops over many of them (kernel.h, *_loop.h), as the processor has instructions
@@ -43,6 +46,7 @@
 
 #include "accel_priv.h"
 #include "draw/number.h"
+#include "draw/wide.h"
 
 /* The depth of the far plane in the buffer: 24 bits. */
 #define ACCEL_DEPTH_MAX 16777215.0
@@ -146,7 +150,12 @@ struct accel_patch {
 
 /* ---- fetch.c ---- */
 
-enum accel_attribute { ACCEL_ATTRIBUTE_POSITION, ACCEL_ATTRIBUTE_NORMAL, ACCEL_ATTRIBUTE_COLOUR };
+enum accel_attribute {
+	ACCEL_ATTRIBUTE_POSITION,
+	ACCEL_ATTRIBUTE_NORMAL,
+	ACCEL_ATTRIBUTE_COLOUR,
+	ACCEL_ATTRIBUTE_EDGE
+};
 
 /* How an array is read. */
 struct accel_fetch {
@@ -187,6 +196,8 @@ void accel_geometry_intersect(struct accel_bounds *rectangle, int x, int y, int 
 void accel_geometry_scissor(const struct accel_state *state, struct accel_bounds *visible);
 void accel_geometry_init(struct accel_transform *transform, const struct accel_state *state,
 			 int width, int height);
+/* Makes the guard band what is in view, as far as that is within it: that is where things are cut. */
+void accel_geometry_view(struct accel_window *window, const struct accel_state *state);
 void accel_geometry_clip_space(const struct accel_transform *transform, const float position[4],
 			       double clip[4]);
 /* An unpainted vertex, without light. -EINVAL: something is not finite. */
@@ -203,12 +214,22 @@ double accel_geometry_distance(const struct accel_window *window, int plane, con
 
 /* ---- clip.c ---- */
 
-#define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_PLANES + ACCEL_USER_CLIP_PLANES + 1)
+/* So many corners clipping may add to a polygon; what a triangle may have then. */
+#define ACCEL_CLIP_CORNERS (ACCEL_CLIP_PLANES + ACCEL_USER_CLIP_PLANES + 1)
+#define ACCEL_POLYGON_MAX (3 + ACCEL_CLIP_CORNERS)
 
 struct accel_corner {
 	double clip[4], rest[4];                 /* rest: what clip is short of */
 	double distance[ACCEL_USER_CLIP_PLANES]; /* from the state's own planes, positive inside */
+	struct accel_wide cut;                   /* the same, from the plane that cuts now */
+	bool boundary; /* the edge to the next corner is one of the polygon, or made by clipping */
 	struct accel_vertex vertex;
+};
+
+/* A polygon that is clipped where it is. */
+struct accel_clipped {
+	struct accel_corner *corner, *spare; /* of which there may be */
+	int most;
 };
 
 /* Sets clip, rest and distance. */
@@ -216,11 +237,11 @@ void accel_clip_corner(const struct accel_transform *transform, const float posi
 		       struct accel_corner *corner);
 
 /*
- * Cuts a triangle, in polygon[0..2], by the planes in @planes. Returns the corners left, 0 or 3 to
- * ACCEL_POLYGON_MAX, projected and not sampled.
+ * Cuts a polygon of @corners by the planes in @planes; there is room for ACCEL_CLIP_CORNERS more.
+ * Returns the corners left, 0 or at least 3, projected; new ones are not sampled.
  */
 int accel_clip_polygon(const struct accel_window *window, uint32_t planes,
-		       struct accel_corner polygon[ACCEL_POLYGON_MAX]);
+		       const struct accel_clipped *polygon, int corners);
 /* The corner from which the polygon is cut into a fan. */
 int accel_clip_apex(const struct accel_corner *polygon, int corners);
 
@@ -277,8 +298,19 @@ void accel_lighting_vertices(const struct accel_lighting *lighting, int side,
 
 /* ---- one call of accel_draw_mesh or accel_draw_arrays ---- */
 
-/* What primitives of a topology are. */
-enum accel_figure { ACCEL_FIGURE_POINTS, ACCEL_FIGURE_LINES, ACCEL_FIGURE_FILLED };
+/* What primitives are drawn as. */
+enum accel_figure {
+	ACCEL_FIGURE_POINTS,
+	ACCEL_FIGURE_LINES,
+	ACCEL_FIGURE_FILLED,
+	ACCEL_FIGURE_POLYGONS /* one by one, each in the mode of its side, or captured */
+};
+
+/* Who gets what would be drawn. */
+struct accel_capture {
+	accel_capture_fn call; /* NULL: nobody, it is drawn */
+	void *data;
+};
 
 /*
  * What is drawn has vertices with numbers of its own, 0 to @vertices - 1: those of the arrays from
@@ -294,9 +326,12 @@ struct accel_pass {
 	uint32_t base, vertices;
 	const uint32_t *gather; /* vertex of the arrays of each element; NULL: base on */
 	uint64_t triangles;     /* of all primitives */
-	struct accel_fetch position, normal, colour; /* the arrays */
+	struct accel_fetch position, normal, colour, edge; /* the arrays */
 	bool lit, painted;
 	bool interpolated; /* points between vertices are not lit */
+	bool offset;       /* depth is, as the state says for polygons that are filled */
+	const struct accel_state *filled; /* the state of these, among polygons one by one */
+	struct accel_capture capture;
 	struct accel_transform transform;
 	struct accel_lighting lighting;
 	struct accel_screen *screen; /* of each vertex of the mesh (group.h) */
@@ -315,6 +350,21 @@ static inline bool accel_pass_shares(const struct accel_pass *pass)
 static inline int accel_pass_sides(const struct accel_pass *pass)
 {
 	return pass->lit && pass->state->two_sided ? 1 : 0;
+}
+
+static inline bool accel_pass_culls(const struct accel_pass *pass, bool back)
+{
+	const enum accel_cull cull = pass->state->cull;
+
+	return cull == ACCEL_CULL_BOTH || cull == (back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT);
+}
+
+/* Draws by another state of the same light and matrices, or by the first. */
+static inline void accel_pass_shade(struct accel_pass *pass, const struct accel_state *state)
+{
+	pass->state = state;
+	pass->interpolated = !state->lighting || state->shading == ACCEL_SHADING_GOURAUD;
+	pass->offset = state->offset_modes >> ACCEL_POLYGON_FILL & 1;
 }
 
 /* ---- arrays.c ---- */
@@ -341,6 +391,14 @@ uint32_t accel_arrays_element(const struct accel_elements *elements, uint64_t i)
 uint32_t accel_primitives_elements(const struct accel_pass *pass,
 				   const struct accel_primitive *primitive);
 enum accel_figure accel_primitives_figure(enum accel_topology topology);
+/* Of what is no points and lines: how many polygons there are, each of *@corners. */
+uint32_t accel_primitives_polygons(const struct accel_pass *pass,
+				   const struct accel_primitive *primitive, uint32_t *corners);
+/* The element that corner @i of a polygon is, and the corner that gives a flat one its colour. */
+uint32_t accel_primitives_corner(enum accel_topology topology, uint32_t polygon, uint32_t i);
+uint32_t accel_primitives_provoking(enum accel_topology topology);
+/* May edges of its polygons be no outlines, as the array of edge flags says? */
+bool accel_primitives_has_edges(enum accel_topology topology);
 /* How many triangles, segments or points these make. */
 uint32_t accel_primitives_triangles(const struct accel_pass *pass,
 				    const struct accel_primitive *primitive);
@@ -383,11 +441,27 @@ int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end);
 void accel_mesh_fetch(const struct accel_pass *pass, const uint32_t *index, int count,
 		      struct accel_vertex_batch *batch);
 
-/* ---- points.c, lines.c ---- */
+/* ---- points.c, lines.c, polygons.c ---- */
 
 /* Draw all of pass->elements, which are of that figure. */
 int accel_points_draw(struct accel_pass *pass);
 int accel_lines_draw(struct accel_pass *pass);
+int accel_polygons_draw(struct accel_pass *pass);
+
+/* ---- offset.c ---- */
+
+/* What the state adds to the depth, 0 to 1, of a triangle on screen. */
+double accel_offset(const struct accel_state *state, const struct accel_vertex *const vertex[3]);
+
+/* ---- capture.c ---- */
+
+/*
+ * Gives the program what pass has of so many corners, by way of as many @captured. @flat has the
+ * colour of a flat one.
+ */
+void accel_capture(const struct accel_pass *pass, enum accel_captured what,
+		   const struct accel_corner *corner, uint32_t corners,
+		   const struct accel_vertex *flat, struct accel_captured_vertex *captured);
 
 /* ---- face.c ---- */
 

@@ -192,15 +192,19 @@ static int face_draw(struct accel_pass *pass, struct faces *list, int i)
 	return err;
 }
 
-static void face_gather_plane(struct faces *list, struct accel_fit_batch *batch, int i,
-			      const struct accel_vertex *const corner[3])
+static void face_gather_plane(const struct accel_pass *pass, struct faces *list,
+			      struct accel_fit_batch *batch, int i)
 {
 	const struct accel_setup *setup = &list->face[i].setup;
+	const struct accel_vertex *corner[3];
+	double offset;
 
+	face_corners(pass->group, &list->face[i], corner);
+	offset = pass->offset ? accel_offset(pass->state, corner) : 0;
 	for (int j = 0; j < 3; j++) {
 		batch->x[j][i] = corner[j]->x;
 		batch->y[j][i] = corner[j]->y;
-		batch->z[j][i] = corner[j]->z;
+		batch->z[j][i] = corner[j]->z + offset;
 	}
 	accel_small_init(&list->small[i], setup);
 	batch->small[i] = list->small[i].fits;
@@ -208,13 +212,13 @@ static void face_gather_plane(struct faces *list, struct accel_fit_batch *batch,
 }
 
 /* A plane that the batch has not. */
-static void face_plane(struct faces *list, const struct accel_fit_batch *batch, int i,
-		       const struct accel_vertex *const corner[3])
+static void face_plane(struct faces *list, const struct accel_fit_batch *batch, int i)
 {
+	const double depth[3] = { batch->z[0][i], batch->z[1][i], batch->z[2][i] };
 	struct accel_basis basis;
 
 	accel_surface_basis_of(batch, i, &basis);
-	accel_surface_plane(&list->plane[i], &basis, corner, list->face[i].setup.narrow);
+	accel_surface_plane(&list->plane[i], &basis, depth, list->face[i].setup.narrow);
 	if (list->small[i].fits)
 		accel_small_plane(&list->plane[i]);
 }
@@ -222,19 +226,16 @@ static void face_plane(struct faces *list, const struct accel_fit_batch *batch, 
 /* The depth planes of all faces, which their parts keep. */
 static void face_planes(const struct accel_pass *pass, struct faces *list)
 {
-	const struct accel_vertex *corner[ACCEL_BATCH][3];
 	struct accel_fit_batch batch;
 
-	for (int i = 0; i < list->count; i++) {
-		face_corners(pass->group, &list->face[i], corner[i]);
-		face_gather_plane(list, &batch, i, corner[i]);
-	}
+	for (int i = 0; i < list->count; i++)
+		face_gather_plane(pass, list, &batch, i);
 	accel_kernel()->plane(&batch, list->count);
 	for (int i = 0; i < list->count; i++)
 		if (batch.narrow[i])
 			accel_surface_plane_of(&list->plane[i], &batch, i);
 		else
-			face_plane(list, &batch, i, corner[i]);
+			face_plane(list, &batch, i);
 }
 
 /* Lights the pixels of faces that have but a few. */

@@ -13,6 +13,7 @@ static const struct fetch_attribute {
 	[ACCEL_ATTRIBUTE_POSITION] = { "positions", 2, 4 },
 	[ACCEL_ATTRIBUTE_NORMAL] = { "normals", 3, 3 },
 	[ACCEL_ATTRIBUTE_COLOUR] = { "colours", 3, 4 },
+	[ACCEL_ATTRIBUTE_EDGE] = { "edge flags", 1, 1 },
 };
 
 /* A number of a normalised type is (factor * number + add) / divisor (OpenGL 1.5, table 2.9). */

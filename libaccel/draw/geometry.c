@@ -119,6 +119,29 @@ static void geometry_window_init(struct accel_window *window, const struct accel
 	window->guard[3] = guard_top + GUARD_HEIGHT;
 }
 
+/* What of the guard band from @guard[0] to @guard[1] is from @start on for @size. */
+static void geometry_view_range(double guard[2], double start, double size)
+{
+	const double low = fmin(fmax(start, guard[0]), guard[1]);
+
+	guard[1] = fmax(fmin(start + size, guard[1]), low);
+	guard[0] = low;
+}
+
+void accel_geometry_view(struct accel_window *window, const struct accel_state *state)
+{
+	double x = 0, y = 0, width = 2 * window->offset[0], height = 2 * window->offset[1];
+
+	if (state->viewport.width >= 0) {
+		x = state->viewport.x;
+		y = state->viewport.y;
+		width = state->viewport.width;
+		height = number_max(state->viewport.height, 0);
+	}
+	geometry_view_range(&window->guard[0], x, width);
+	geometry_view_range(&window->guard[2], y, height);
+}
+
 /* Planes go by the transpose of what takes positions to the eye. */
 static void geometry_planes(struct accel_transform *transform, const struct accel_state *state)
 {

@@ -157,6 +157,8 @@ void accel_mesh_see(struct accel_seen *seen, const struct accel_point *const poi
  * vertices are those of the group.
  */
 int accel_mesh_put(struct accel_pass *pass, struct accel_seen *seen, bool of_group);
+/* Sets of @corner, which is vertex @index of the pass, all but the vertex. */
+void accel_mesh_corner(const struct accel_pass *pass, uint32_t index, struct accel_corner *corner);
 /* Cuts the triangle of vertices @index, which are @vertex, by @planes; as accel_clip_polygon. */
 int accel_mesh_clip(const struct accel_pass *pass, const struct accel_vertex vertex[3],
 		    const uint32_t index[3], uint32_t planes,
@@ -183,6 +185,27 @@ int accel_strokes_fill(struct accel_pass *pass, struct accel_strokes *strokes,
 		       const struct accel_vertex *flat);
 /* Draws what is left in @strokes. */
 int accel_strokes_flush(struct accel_pass *pass, struct accel_strokes *strokes);
+
+/* ---- lines.c, points.c ---- */
+
+/* Lines that are drawn one after the other, for the stipple. */
+struct accel_lines {
+	struct accel_pass *pass;
+	int32_t half;    /* of the width */
+	double distance; /* along the line so far, pixels */
+	struct accel_strokes strokes;
+};
+
+void accel_lines_begin(struct accel_lines *lines, struct accel_pass *pass);
+/* A segment of which nothing is to be cut off. */
+int accel_lines_put(struct accel_lines *lines, const struct accel_vertex *a,
+		    const struct accel_vertex *b, const struct accel_vertex *flat);
+/* The same, given to the program. */
+void accel_lines_capture(struct accel_lines *lines, const struct accel_corner corner[2],
+			 const struct accel_vertex *flat);
+/* A point whose middle is in view. */
+int accel_points_put(struct accel_pass *pass, struct accel_strokes *strokes,
+		     const struct accel_vertex *vertex);
 
 /* ---- few.c ---- */
 

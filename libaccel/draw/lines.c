@@ -14,13 +14,6 @@
 /* The least that vertices are apart. */
 #define SNAP (1 << (ACCEL_WINDOW_BITS - ACCEL_SNAP_BITS))
 
-struct lines {
-	struct accel_pass *pass;
-	int32_t half;    /* of the width */
-	double distance; /* along the line so far, pixels; for the stipple */
-	struct accel_strokes strokes;
-};
-
 static int32_t lines_between(int32_t a, int32_t b, double t)
 {
 	return a + (int32_t)((b - a) * t);
@@ -43,7 +36,7 @@ static void lines_cut(const struct accel_vertex *a, const struct accel_vertex *b
 					   part * (b->sample.colour[i] - a->sample.colour[i]);
 }
 
-static int lines_fill(struct lines *lines, const struct accel_vertex *a,
+static int lines_fill(struct accel_lines *lines, const struct accel_vertex *a,
 		      const struct accel_vertex *b, const struct accel_vertex *flat)
 {
 	const bool steep = abs(b->y - a->y) > abs(b->x - a->x);
@@ -81,7 +74,7 @@ static bool lines_stippled(const struct accel_line_style *style, double distance
 	return style->stipple >> (int64_t)bit % 16 & 1;
 }
 
-static int lines_stipple(struct lines *lines, const struct accel_vertex *a,
+static int lines_stipple(struct accel_lines *lines, const struct accel_vertex *a,
 			 const struct accel_vertex *b, const struct accel_vertex *flat)
 {
 	const struct accel_line_style *style = &lines->pass->state->line;
@@ -104,7 +97,34 @@ static int lines_stipple(struct lines *lines, const struct accel_vertex *a,
 	return err;
 }
 
-static int lines_draw_one(struct lines *lines, const uint32_t index[2],
+void accel_lines_begin(struct accel_lines *lines, struct accel_pass *pass)
+{
+	lines->pass = pass;
+	lines->half = number_max(1, (int)(pass->state->line.width + 0.5f)) * ACCEL_WINDOW_HALF;
+	lines->distance = 0;
+	lines->strokes.seen.count = 0;
+}
+
+int accel_lines_put(struct accel_lines *lines, const struct accel_vertex *a,
+		    const struct accel_vertex *b, const struct accel_vertex *flat)
+{
+	if (lines->pass->state->line.repeat)
+		return lines_stipple(lines, a, b, flat);
+	return lines_fill(lines, a, b, flat);
+}
+
+void accel_lines_capture(struct accel_lines *lines, const struct accel_corner corner[2],
+			 const struct accel_vertex *flat)
+{
+	struct accel_captured_vertex captured[2];
+
+	accel_capture(lines->pass,
+		      lines->distance > 0 ? ACCEL_CAPTURED_LINE : ACCEL_CAPTURED_LINE_FIRST, corner,
+		      2, flat, captured);
+	lines->distance = 1;
+}
+
+static int lines_draw_one(struct accel_lines *lines, const uint32_t index[2],
 			  const struct accel_vertex vertex[2])
 {
 	const struct accel_pass *pass = lines->pass;
@@ -115,7 +135,7 @@ static int lines_draw_one(struct lines *lines, const uint32_t index[2],
 
 	if (outside[0] & outside[1])
 		return 0;
-	if (planes) {
+	if (planes || pass->capture.call) {
 		/* As a triangle of no width, whose first edge it is. */
 		const struct accel_vertex three[3] = { *a, *b, *b };
 		const uint32_t of[3] = { index[0], index[1], index[1] };
@@ -125,13 +145,16 @@ static int lines_draw_one(struct lines *lines, const uint32_t index[2],
 		a = &polygon[0].vertex;
 		b = &polygon[1].vertex;
 	}
-	if (pass->state->line.repeat)
-		return lines_stipple(lines, a, b, &vertex[1]);
-	return lines_fill(lines, a, b, &vertex[1]);
+	if (pass->capture.call) {
+		accel_lines_capture(lines, polygon, &vertex[1]);
+		return 0;
+	}
+	return accel_lines_put(lines, a, b, &vertex[1]);
 }
 
 /* The segment of elements @i and @j, if it can be drawn. */
-static int lines_segment(struct lines *lines, const struct accel_walk *walk, uint32_t i, uint32_t j)
+static int lines_segment(struct accel_lines *lines, const struct accel_walk *walk, uint32_t i,
+			 uint32_t j)
 {
 	struct accel_strokes *strokes = &lines->strokes;
 
@@ -143,7 +166,7 @@ static int lines_segment(struct lines *lines, const struct accel_walk *walk, uin
 	return lines_draw_one(lines, strokes->index, strokes->vertex);
 }
 
-static int lines_primitive(struct lines *lines, const struct accel_walk *walk, uint32_t count)
+static int lines_primitive(struct accel_lines *lines, const struct accel_walk *walk, uint32_t count)
 {
 	const enum accel_topology topology = walk->primitive->topology;
 	const uint32_t step = topology == ACCEL_TOPOLOGY_LINES ? 2 : 1;
@@ -163,12 +186,10 @@ static int lines_primitive(struct lines *lines, const struct accel_walk *walk, u
 int accel_lines_draw(struct accel_pass *pass)
 {
 	struct accel_walk walk = { .pass = pass, .primitive = pass->elements->primitive };
-	struct lines lines;
+	struct accel_lines lines;
 	int err = 0;
 
-	lines.pass = pass;
-	lines.half = number_max(1, (int)(pass->state->line.width + 0.5f)) * ACCEL_WINDOW_HALF;
-	lines.strokes.seen.count = 0;
+	accel_lines_begin(&lines, pass);
 	for (uint32_t n = 0; n < pass->elements->primitives && !err; n++, walk.primitive++) {
 		const uint32_t count = accel_primitives_elements(pass, walk.primitive);
 

@@ -79,14 +79,15 @@ uint32_t accel_mesh_transform(const struct accel_pass *pass, uint32_t first, uin
 }
 
 /* The side that is seen; -1: neither, or it is culled. */
-static int mesh_visible_side(const struct accel_state *state, int64_t area)
+static int mesh_visible_side(const struct accel_pass *pass, int64_t area)
 {
+	const struct accel_state *state = pass->state;
 	/* Counter-clockwise in NDC is front, and on the screen y points down. */
 	bool back = (area > 0) != (state->clockwise != state->bottom);
 
-	if (area == 0 || state->cull == (back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT))
+	if (area == 0 || accel_pass_culls(pass, back))
 		return -1;
-	return back && state->two_sided && state->lighting ? 1 : 0;
+	return back && accel_pass_sides(pass);
 }
 
 void accel_mesh_see(struct accel_seen *seen, const struct accel_point *const point[3],
@@ -177,21 +178,34 @@ static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 		pass->stats->culled++;
 }
 
+void accel_mesh_corner(const struct accel_pass *pass, uint32_t index, struct accel_corner *corner)
+{
+	uint32_t gathered[ACCEL_BATCH];
+	float position[4], edge[4];
+
+	index = *mesh_gather(pass, &index, 1, gathered);
+	accel_fetch_element(&pass->position, index, position);
+	accel_clip_corner(&pass->transform, position, corner);
+	corner->boundary = true;
+	if (!pass->edge.data)
+		return;
+	accel_fetch_element(&pass->edge, index, edge);
+	corner->boundary = edge[0] != 0;
+}
+
 int accel_mesh_clip(const struct accel_pass *pass, const struct accel_vertex vertex[3],
 		    const uint32_t index[3], uint32_t planes,
 		    struct accel_corner polygon[ACCEL_POLYGON_MAX])
 {
-	for (int i = 0; i < 3; i++) {
-		float position[4];
-		uint32_t gathered[ACCEL_BATCH];
+	struct accel_corner spare[ACCEL_POLYGON_MAX];
+	const struct accel_clipped clipped = { polygon, spare, ACCEL_POLYGON_MAX };
 
-		accel_fetch_element(&pass->position, *mesh_gather(pass, &index[i], 1, gathered),
-				    position);
-		accel_clip_corner(&pass->transform, position, &polygon[i]);
+	for (int i = 0; i < 3; i++) {
+		accel_mesh_corner(pass, index[i], &polygon[i]);
 		polygon[i].vertex = vertex[i];
 		polygon[i].vertex.sampled = 0;
 	}
-	return accel_clip_polygon(&pass->transform.window, planes, polygon);
+	return accel_clip_polygon(&pass->transform.window, planes, &clipped, 3);
 }
 
 /* The same, with the light at the triangle's own vertices to interpolate between. */
@@ -233,7 +247,7 @@ static void mesh_put_clipped(struct accel_pass *pass, const uint32_t index[3], u
 	flat = vertex[2];
 	corners = accel_mesh_clip(pass, vertex, index, planes, polygon);
 	area = mesh_polygon_area(polygon, corners);
-	side = mesh_visible_side(pass->state, area);
+	side = mesh_visible_side(pass, area);
 	if (side < 0) {
 		pass->stats->culled++;
 		return;
@@ -269,7 +283,7 @@ static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3],
 				mesh_put_clipped(pass, index, planes);
 			return err;
 		}
-		side = mesh_visible_side(pass->state, accel_setup_area(&a->at, &b->at, &c->at));
+		side = mesh_visible_side(pass, accel_setup_area(&a->at, &b->at, &c->at));
 	}
 	if (side < 0) {
 		pass->stats->culled++;

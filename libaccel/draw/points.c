@@ -27,8 +27,8 @@ static int32_t points_first(int32_t at, int width)
 	return (low >> ACCEL_WINDOW_BITS) - width / 2;
 }
 
-static int points_draw_one(struct accel_pass *pass, struct accel_strokes *strokes,
-			   const struct accel_vertex *vertex)
+int accel_points_put(struct accel_pass *pass, struct accel_strokes *strokes,
+		     const struct accel_vertex *vertex)
 {
 	const int width = points_width(pass, vertex), size = width * ACCEL_WINDOW_ONE;
 	const int32_t x = points_first(vertex->x, width) * ACCEL_WINDOW_ONE;
@@ -46,13 +46,27 @@ static int points_draw_one(struct accel_pass *pass, struct accel_strokes *stroke
 	return accel_strokes_fill(pass, strokes, corner, 3, vertex);
 }
 
+static void points_capture(const struct accel_pass *pass, uint32_t index,
+			   const struct accel_vertex *vertex)
+{
+	struct accel_captured_vertex captured;
+	struct accel_corner corner;
+
+	accel_mesh_corner(pass, index, &corner);
+	corner.vertex = *vertex;
+	accel_capture(pass, ACCEL_CAPTURED_POINT, &corner, 1, vertex, &captured);
+}
+
 static int points_flush(struct accel_pass *pass, struct accel_strokes *strokes)
 {
 	int err = 0;
 
 	accel_strokes_light(pass, strokes);
 	for (int i = 0; i < strokes->count && !err; i++)
-		err = points_draw_one(pass, strokes, &strokes->vertex[i]);
+		if (pass->capture.call)
+			points_capture(pass, strokes->index[i], &strokes->vertex[i]);
+		else
+			err = accel_points_put(pass, strokes, &strokes->vertex[i]);
 	strokes->count = 0;
 	return err;
 }

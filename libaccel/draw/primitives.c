@@ -49,6 +49,56 @@ uint32_t accel_primitives_triangles(const struct accel_pass *pass,
 	}
 }
 
+uint32_t accel_primitives_polygons(const struct accel_pass *pass,
+				   const struct accel_primitive *primitive, uint32_t *corners)
+{
+	const uint32_t triangles = accel_primitives_triangles(pass, primitive);
+
+	*corners = 3;
+	switch (primitive->topology) {
+	case ACCEL_TOPOLOGY_QUADS:
+	case ACCEL_TOPOLOGY_QUAD_STRIP:
+		*corners = 4;
+		return triangles / 2;
+	case ACCEL_TOPOLOGY_POLYGON:
+		*corners = accel_primitives_elements(pass, primitive);
+		return triangles != 0;
+	default:
+		return triangles;
+	}
+}
+
+uint32_t accel_primitives_corner(enum accel_topology topology, uint32_t polygon, uint32_t i)
+{
+	switch (topology) {
+	case ACCEL_TOPOLOGY_TRIANGLES:
+		return 3 * polygon + i;
+	case ACCEL_TOPOLOGY_TRIANGLE_STRIP:
+		return polygon + (i < 2 ? i ^ (polygon & 1) : i);
+	case ACCEL_TOPOLOGY_TRIANGLE_FAN:
+		return i ? polygon + i : 0;
+	case ACCEL_TOPOLOGY_QUADS:
+		return 4 * polygon + i;
+	case ACCEL_TOPOLOGY_QUAD_STRIP:
+		return 2 * polygon + (i < 2 ? i : 5 - i);
+	default:
+		return i;
+	}
+}
+
+uint32_t accel_primitives_provoking(enum accel_topology topology)
+{
+	if (topology == ACCEL_TOPOLOGY_POLYGON)
+		return 0;
+	return topology == ACCEL_TOPOLOGY_QUADS ? 3 : 2;
+}
+
+bool accel_primitives_has_edges(enum accel_topology topology)
+{
+	return topology == ACCEL_TOPOLOGY_TRIANGLES || topology == ACCEL_TOPOLOGY_QUADS ||
+	       topology == ACCEL_TOPOLOGY_POLYGON;
+}
+
 /* Vertex of the pass that element @i of the primitive is; ACCEL_NONE: it is none. */
 static uint32_t primitives_element(const struct accel_walk *walk, uint32_t i)
 {

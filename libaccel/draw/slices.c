@@ -208,6 +208,8 @@ static int slices_draw_alone(struct accel_slices *slices, struct accel_pass *pas
 		return accel_points_draw(pass);
 	if (pass->figure == ACCEL_FIGURE_LINES)
 		return accel_lines_draw(pass);
+	if (pass->figure == ACCEL_FIGURE_POLYGONS)
+		return accel_polygons_draw(pass);
 	return accel_mesh_draw(pass, 0, triangles);
 }
 

@@ -70,10 +70,10 @@ static uint32_t surface_fixed_colour(double value)
 }
 
 void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_basis *basis,
-			 const struct accel_vertex *const vertex[3], bool narrow)
+			 const double depth[3], bool narrow)
 {
-	double z = vertex[0]->z * ACCEL_DEPTH_MAX, du = vertex[1]->z * ACCEL_DEPTH_MAX - z;
-	double dv = vertex[2]->z * ACCEL_DEPTH_MAX - z;
+	double z = depth[0] * ACCEL_DEPTH_MAX, du = depth[1] * ACCEL_DEPTH_MAX - z;
+	double dv = depth[2] * ACCEL_DEPTH_MAX - z;
 	double dx = du * basis->ux + dv * basis->vx, dy = du * basis->uy + dv * basis->vy;
 	unsigned int bits = GLOSS_DEPTH_FRACTION, shift = 0;
 

@@ -52,9 +52,10 @@ struct accel_triangle {
 int64_t accel_surface_area(const struct accel_vertex *a, const struct accel_vertex *b,
 			   const struct accel_vertex *c);
 void accel_surface_basis(struct accel_basis *basis, const struct accel_vertex *const vertex[3]);
-/* @narrow: the triangle is, so that the plane may be rounded to depth_compact. */
+/* @depth: of the vertices. @narrow: the triangle is, so that the plane may be rounded to
+ * depth_compact. */
 void accel_surface_plane(struct accel_depth_plane *plane, const struct accel_basis *basis,
-			 const struct accel_vertex *const vertex[3], bool narrow);
+			 const double depth[3], bool narrow);
 /* The same, and accel_small_plane, of triangle @i in a batch (kernel.h) whose plane is narrow. */
 void accel_surface_plane_of(struct accel_depth_plane *plane, const struct accel_fit_batch *batch,
 			    int i);

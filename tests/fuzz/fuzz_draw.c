@@ -201,6 +201,25 @@ static void draw_mesh(const struct board *board)
 	drawn_as("accel_draw_mesh", accel_draw_mesh(board->draw, state, &mesh));
 }
 
+/* It is on the target, or not farther from it than it may be. */
+static void captured(void *data, enum accel_captured what,
+		     const struct accel_captured_vertex *vertex, uint32_t vertices)
+{
+	(void)data;
+	need(vertices == 1 || vertices == 2 || what == ACCEL_CAPTURED_POLYGON, "captured vertices",
+	     (int)vertices);
+	for (uint32_t i = 0; i < vertices; i++) {
+		const float *window = vertex[i].window, *rgba = vertex[i].colour;
+
+		need(window[0] > -40000 && window[0] < 40000 && window[1] > -40000 &&
+			     window[1] < 40000,
+		     "a captured place", (int)i);
+		need(window[2] >= 0 && window[2] <= 1 && window[3] > 0, "a captured depth", (int)i);
+		for (int j = 0; j < 4; j++)
+			need(rgba[j] >= 0 && rgba[j] <= 1, "a captured colour", j);
+	}
+}
+
 /* Indices are of four bytes at least, so as many of any type can be read. */
 static void draw_arrays(const struct board *board)
 {
@@ -213,6 +232,7 @@ static void draw_arrays(const struct board *board)
 	arrays.position = any_array(one_in(50) ? NULL : position, 4);
 	arrays.normal = any_array(one_in(3) ? NULL : normal, 3);
 	arrays.colour = any_array(one_in(3) ? NULL : colour, 4);
+	arrays.edge = any_array(one_in(3) ? NULL : normal, 1);
 	if (one_in(2)) {
 		elements.index = indices;
 		elements.index_type = one_in(3) ? ACCEL_TYPE_UBYTE :
@@ -227,7 +247,10 @@ static void draw_arrays(const struct board *board)
 			primitive[i].first = (uint32_t)random_word();
 	}
 	failed = false;
+	if (one_in(6))
+		accel_draw_capture(board->draw, captured, board->draw);
 	drawn_as("accel_draw_arrays", accel_draw_arrays(board->draw, state, &arrays, &elements));
+	accel_draw_capture(board->draw, NULL, NULL);
 }
 
 static struct accel_clear any_clear(void)
@@ -272,6 +295,32 @@ static void clear(const struct board *board)
 	failed = false;
 	err = accel_draw_clear(board->draw, &clear);
 	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_clear", err);
+}
+
+static void clear_masked(const struct board *board)
+{
+	const struct accel_clear clear = any_clear();
+	int err;
+
+	failed = false;
+	err = accel_draw_clear_masked(board->draw, state, &clear);
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_clear_masked", err);
+}
+
+static void draw_rectangles(const struct board *board)
+{
+	struct accel_fill fill[3];
+	int err;
+
+	for (int i = 0; i < 3; i++) {
+		fill[i].pixels = (struct accel_rectangle){ any_int(), any_int(), any_int(),
+							   any_int() };
+		fill[i].depth = float_to(1);
+		any_floats(fill[i].rgba, 4);
+	}
+	failed = false;
+	err = accel_draw_rectangles(board->draw, state, fill, (uint32_t)below(4));
+	need(!err || err == -EINVAL || (err == -ENOMEM && failed), "accel_draw_rectangles", err);
 }
 
 /* A frame that was sent is one the board draws without a fault. */
@@ -339,6 +388,10 @@ static void frame(uint64_t seed)
 		fuzz_draw_state(state);
 		if (one_in(4))
 			clear(board);
+		if (one_in(6))
+			clear_masked(board);
+		if (one_in(6))
+			draw_rectangles(board);
 		if (one_in(2))
 			draw_mesh(board);
 		else

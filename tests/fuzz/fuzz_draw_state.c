@@ -89,7 +89,7 @@ static void set_window(struct accel_state *state)
 	accel_state_set_depth_range(state, float_to(1), float_to(1));
 	accel_state_set_depth(state, (enum accel_compare)below(8), one_in(2));
 	accel_state_set_colour_mask(state, one_in(2), !one_in(4), one_in(2), !one_in(4));
-	accel_state_set_cull(state, (enum accel_cull)below(3));
+	accel_state_set_cull(state, (enum accel_cull)below(4));
 }
 
 static void set_planes(struct accel_state *state)
@@ -116,8 +116,17 @@ static void set_strokes(struct accel_state *state)
 	accel_state_set_point_style(state, &point);
 }
 
+static void set_polygons(struct accel_state *state)
+{
+	accel_state_set_polygon_mode(state, (enum accel_polygon_mode)below(3),
+				     (enum accel_polygon_mode)below(3));
+	accel_state_set_polygon_offset(state, any_float(), any_float(), (unsigned int)below(8));
+}
+
 void fuzz_draw_state(struct accel_state *state)
 {
+	if (one_in(6))
+		set_polygons(state);
 	if (one_in(6))
 		set_planes(state);
 	if (one_in(4))

@@ -56,13 +56,14 @@ static inline bool triangle_ready(struct accel_triangle *triangle, struct accel_
 				  const struct accel_vertex *const vertex[3])
 {
 	static const float white[4] = { 1, 1, 1, 1 };
+	const double depth[3] = { vertex[0]->z, vertex[1]->z, vertex[2]->z };
 	struct accel_basis basis;
 
 	memset(triangle, 0, sizeof(*triangle));
 	if (!accel_setup_init(&triangle->setup, vertex))
 		return false;
 	accel_surface_basis(&basis, vertex);
-	accel_surface_plane(plane, &basis, vertex, triangle->setup.narrow);
+	accel_surface_plane(plane, &basis, depth, triangle->setup.narrow);
 	triangle->plane = plane;
 	accel_surface_flat(triangle, white);
 	return true;

@@ -82,6 +82,23 @@ static int draw_few(const struct fixture *f, struct accel_draw *draw)
 	return accel_draw_arrays(draw, f->state, &arrays, &elements);
 }
 
+/* The outline of a polygon, which has corners of its own. */
+static int draw_outline(const struct fixture *f, struct accel_draw *draw)
+{
+	static const struct accel_primitive polygon = { ACCEL_TOPOLOGY_POLYGON, 0, 1152 };
+	const struct accel_arrays arrays = ACCEL_ARRAYS(.vertices = shape.mesh.vertices,
+							.position = { .data = shape.position,
+								      .components = 3 });
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &polygon,
+							      .primitives = 1);
+	int err;
+
+	accel_state_set_polygon_mode(f->state, ACCEL_POLYGON_LINES, ACCEL_POLYGON_LINES);
+	err = accel_draw_arrays(draw, f->state, &arrays, &elements);
+	accel_state_set_polygon_mode(f->state, ACCEL_POLYGON_FILL, ACCEL_POLYGON_FILL);
+	return err;
+}
+
 static bool submitting; /* the frame is complete */
 
 /* Every call of a frame, to the first error. */
@@ -100,6 +117,8 @@ static int frame(const struct fixture *f, struct accel_draw *draw)
 		err = accel_draw_mesh(draw, f->state, &shape.mesh);
 	if (!err)
 		err = draw_few(f, draw);
+	if (!err)
+		err = draw_outline(f, draw);
 	submitting = !err;
 	if (!err)
 		err = accel_draw_submit(draw, &fence);

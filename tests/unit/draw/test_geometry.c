@@ -201,7 +201,8 @@ static void what_clipping_leaves_is_inside(void **state)
 	int clipped = 0;
 
 	for (int n = 0; n < 100000; n++) {
-		struct accel_corner polygon[ACCEL_POLYGON_MAX];
+		struct accel_corner polygon[ACCEL_POLYGON_MAX], spare[ACCEL_POLYGON_MAX];
+		const struct accel_clipped clipping = { polygon, spare, ACCEL_POLYGON_MAX };
 		uint32_t planes = 0;
 		int corners;
 
@@ -214,7 +215,7 @@ static void what_clipping_leaves_is_inside(void **state)
 				if (accel_geometry_distance(window, plane, polygon[i].clip) < 0)
 					planes |= 1u << plane;
 		}
-		corners = accel_clip_polygon(window, planes, polygon);
+		corners = accel_clip_polygon(window, planes, &clipping, 3);
 		assert_true(corners == 0 || (corners >= 3 && corners <= ACCEL_POLYGON_MAX));
 		clipped += corners > 0;
 		for (int i = 0; i < corners; i++) {

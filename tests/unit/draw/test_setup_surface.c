@@ -69,7 +69,9 @@ static bool corners_random(struct fixture *f)
 static void prepare(struct fixture *f)
 {
 	accel_surface_basis(&f->basis, f->corner);
-	accel_surface_plane(&f->plane, &f->basis, f->corner, f->triangle.setup.narrow);
+	accel_surface_plane(&f->plane, &f->basis,
+			    (const double[3]){ f->corner[0]->z, f->corner[1]->z, f->corner[2]->z },
+			    f->triangle.setup.narrow);
 	f->triangle.plane = &f->plane;
 }
 

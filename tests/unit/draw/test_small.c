@@ -94,7 +94,9 @@ static void prepare(struct fixture *f)
 	struct accel_basis basis;
 
 	accel_surface_basis(&basis, f->corner);
-	accel_surface_plane(&f->exact_plane, &basis, f->corner, f->exact.setup.narrow);
+	accel_surface_plane(&f->exact_plane, &basis,
+			    (const double[3]){ f->corner[0]->z, f->corner[1]->z, f->corner[2]->z },
+			    f->exact.setup.narrow);
 	f->exact.plane = &f->exact_plane;
 	f->exact.small.fits = false;
 	accel_surface_patch(&f->exact, &basis, &f->patch);

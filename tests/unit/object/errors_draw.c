@@ -53,6 +53,11 @@ static int clip_plane_number_six(void)
 	return accel_state_set_clip_plane(test.state, ACCEL_USER_CLIP_PLANES, NULL);
 }
 
+static int offset_without_end(void)
+{
+	return accel_state_set_polygon_offset(test.state, INFINITY, 0, 1u << ACCEL_POLYGON_FILL);
+}
+
 static int line_of_no_size(void)
 {
 	return accel_state_set_line_style(test.state, &(struct accel_line_style){ .width = 1 });
@@ -130,6 +135,11 @@ static int clear_before_a_frame(void)
 static int discard_before_a_frame(void)
 {
 	return accel_draw_discard(test.draw, ACCEL_CLEAR_DEPTH);
+}
+
+static int capture_before_a_frame(void)
+{
+	return accel_draw_capture(test.draw, NULL, NULL);
 }
 
 static int clear_of_a_later_version(void)
@@ -252,6 +262,7 @@ const struct reached errors_draw[] = {
 	{ "accel_state_set_material", -E2BIG, material_of_a_later_version },
 	{ "accel_state_set_light", -E2BIG, light_of_a_later_version },
 	{ "accel_state_set_clip_plane", -EINVAL, clip_plane_number_six },
+	{ "accel_state_set_polygon_offset", -EINVAL, offset_without_end },
 	{ "accel_state_set_line_style", -EINVAL, line_of_no_size },
 	{ "accel_state_set_line_style", -E2BIG, line_of_a_later_version },
 	{ "accel_state_set_point_style", -EINVAL, point_of_no_size },
@@ -259,6 +270,7 @@ const struct reached errors_draw[] = {
 	{ "accel_draw_begin", -EINVAL, begin_with_a_clear_of_what_is_not_there },
 	{ "accel_draw_begin", -E2BIG, begin_with_a_clear_of_a_later_version },
 	{ "accel_draw_clear", -EINVAL, clear_before_a_frame },
+	{ "accel_draw_capture", -EINVAL, capture_before_a_frame },
 	{ "accel_draw_discard", -EINVAL, discard_before_a_frame },
 	{ "accel_draw_clear", -E2BIG, clear_of_a_later_version },
 	{ "accel_draw_clear_masked", -EINVAL, masked_clear_of_no_colour },
