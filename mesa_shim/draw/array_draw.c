@@ -160,6 +160,8 @@ static void array_send(struct gloss_context *context, const struct accel_element
 	if (context->attributes.lighting.enabled)
 		to.normal = array_describe(context, &arrays->normal, true, current->normal,
 					   &vertices);
+	if (gloss_emit_has_outlines(context))
+		to.edge = array_describe(context, &arrays->edge, false, &current->edge, &vertices);
 	to.vertices = vertices;
 	if (vertices && to.position.data)
 		gloss_emit_draw(context, &to, elements);
@@ -201,7 +203,7 @@ static bool array_lock(struct gloss_context *context)
 	pthread_rwlock_rdlock(&context->shared->buffer_lock);
 	if (!array_is_mapped(context, &arrays->position) &&
 	    !array_is_mapped(context, &arrays->colour) &&
-	    !array_is_mapped(context, &arrays->normal))
+	    !array_is_mapped(context, &arrays->normal) && !array_is_mapped(context, &arrays->edge))
 		return true;
 	pthread_rwlock_unlock(&context->shared->buffer_lock);
 	gloss_error(context, GL_INVALID_OPERATION);

@@ -24,6 +24,9 @@ static void batch_send(struct gloss_context *context, const struct gloss_vertice
 	if (context->attributes.lighting.enabled)
 		arrays.normal = (struct accel_array){ .data = vertex->normal,
 						      .stride = sizeof(*vertex) };
+	if (gloss_emit_has_outlines(context))
+		arrays.edge = (struct accel_array){ .data = &vertex->edge,
+						    .stride = sizeof(*vertex) };
 	gloss_emit_draw(context, &arrays, &elements);
 }
 

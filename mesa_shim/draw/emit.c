@@ -132,15 +132,43 @@ static void emit_line_and_point(const struct gloss_context *context, struct acce
 	accel_state_set_point_style(state, &point_style);
 }
 
+static enum accel_polygon_mode emit_polygon_mode(GLenum mode)
+{
+	if (mode == GL_POINT)
+		return ACCEL_POLYGON_POINTS;
+	return mode == GL_LINE ? ACCEL_POLYGON_LINES : ACCEL_POLYGON_FILL;
+}
+
+static void emit_polygons(const struct gloss_polygon *polygon, struct accel_state *state)
+{
+	const unsigned int modes = (unsigned int)polygon->offset_fill << ACCEL_POLYGON_FILL |
+				   (unsigned int)polygon->offset_line << ACCEL_POLYGON_LINES |
+				   (unsigned int)polygon->offset_point << ACCEL_POLYGON_POINTS;
+
+	accel_state_set_polygon_mode(state, emit_polygon_mode(polygon->mode[0]),
+				     emit_polygon_mode(polygon->mode[1]));
+	accel_state_set_polygon_offset(state, polygon->factor, polygon->units, modes);
+}
+
+bool gloss_emit_has_outlines(const struct gloss_context *context)
+{
+	const GLenum *mode = context->attributes.polygon.mode;
+
+	return mode[0] != GL_FILL || mode[1] != GL_FILL;
+}
+
 static void emit_raster(struct gloss_context *context, struct accel_state *state)
 {
 	const struct gloss_polygon *polygon = &context->attributes.polygon;
 	bool back = polygon->cull_face == GL_BACK;
 
 	emit_line_and_point(context, state);
+	emit_polygons(polygon, state);
 	accel_state_set_front_face(state, polygon->front_face == GL_CW);
-	if (!polygon->cull || polygon->cull_face == GL_FRONT_AND_BACK)
+	if (!polygon->cull)
 		accel_state_set_cull(state, ACCEL_CULL_NONE);
+	else if (polygon->cull_face == GL_FRONT_AND_BACK)
+		accel_state_set_cull(state, ACCEL_CULL_BOTH);
 	else
 		accel_state_set_cull(state, back ? ACCEL_CULL_BACK : ACCEL_CULL_FRONT);
 	accel_state_set_shading(state, context->attributes.lighting.shade_model == GL_FLAT ?
@@ -274,9 +302,6 @@ static void emit_result(struct gloss_context *context, int err)
 void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *arrays,
 		     const struct accel_elements *elements)
 {
-	if (context->attributes.polygon.cull &&
-	    context->attributes.polygon.cull_face == GL_FRONT_AND_BACK)
-		return;
 	if (!gloss_emit_begin(context))
 		return;
 	if (context->dirty)

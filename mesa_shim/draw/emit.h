@@ -13,6 +13,8 @@ struct gloss_context;
 bool gloss_emit_begin(struct gloss_context *context);
 /* Something is about to be drawn: what was read before is out of date. */
 void gloss_emit_touch(struct gloss_context *context);
+/* Are there polygons that are not filled, so that edge flags count? */
+bool gloss_emit_has_outlines(const struct gloss_context *context);
 /* Draws with the state of now. */
 void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *arrays,
 		     const struct accel_elements *elements);

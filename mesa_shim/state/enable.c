@@ -27,6 +27,9 @@ static unsigned int enable_dirty(GLenum name)
 		return GLOSS_DIRTY_VIEWPORT;
 	case GL_CULL_FACE:
 	case GL_LINE_STIPPLE:
+	case GL_POLYGON_OFFSET_FILL:
+	case GL_POLYGON_OFFSET_LINE:
+	case GL_POLYGON_OFFSET_POINT:
 		return GLOSS_DIRTY_RASTER;
 	default:
 		if (name - GL_LIGHT0 < GLOSS_LIGHTS)
