@@ -107,7 +107,7 @@ static void run_triangle_small(struct model *model, const uint32_t *packet)
 	struct model_triangle triangle;
 
 	model_triangle_small_unpack(packet, &triangle);
-	model_draw_triangle(model, &triangle);
+	model_draw_small(model, &triangle);
 }
 
 /* Executes a packet that was checked. NULL: it does nothing. */

@@ -10,6 +10,7 @@
  *     triangle_small.c  a TRIANGLE_SMALL to the same
  *     parallel.c        the same with tiles drawn by others
  *   draw.c      takes a triangle through the three stages below
+ *   draw_small.c  takes a TRIANGLE_SMALL through them at once
  *   raster.c    edges to spans of pixels
  *   shade.c     surfaces to colour and depth
  *   fragment.c  depth test, masks, into the tile
@@ -227,6 +228,11 @@ void model_triangle_small_unpack(const uint32_t *packet, struct model_triangle *
 
 /* Draws @triangle in the open tile and counts it and its pixels. */
 void model_draw_triangle(struct model *model, const struct model_triangle *triangle);
+
+/* ---- draw_small.c ---- */
+
+/* The same of a triangle whose rows are listed, and whose alpha is constant. */
+void model_draw_small(struct model *model, const struct model_triangle *triangle);
 
 /* ---- raster.c ---- */
 

@@ -6,12 +6,6 @@
  */
 #include "shade.h"
 
-/* n(n-1)/2: one of the factors is even, so nothing is lost. */
-MODEL_INLINE uint32_t pairs(int32_t n)
-{
-	return (uint32_t)((n * (n - 1)) >> 1);
-}
-
 MODEL_INLINE void begin_channel(struct model_channel *restrict channel,
 				const struct model_surface *surface,
 				const struct model_spans *spans, int anchor_x, int first_row)
@@ -23,12 +17,12 @@ MODEL_INLINE void begin_channel(struct model_channel *restrict channel,
 		int32_t u = spans->x0[k] - anchor_x, v = spans->y[k] - first_row;
 		uint32_t dx = s.dx + (uint32_t)v * s.dxy;
 
-		channel->i[k] = s.i + (uint32_t)v * s.dy + pairs(v) * s.dyy + (uint32_t)u * dx +
-				pairs(u) * s.dxx;
+		channel->i[k] = s.i + (uint32_t)v * s.dy + model_shade_pairs(v) * s.dyy +
+				(uint32_t)u * dx + model_shade_pairs(u) * s.dxx;
 		channel->dx[k] = dx + (uint32_t)u * s.dxx;
 	}
 	for (int n = 0; n < pixels; n++)
-		channel->bend[n] = pairs(n) * s.dxx;
+		channel->bend[n] = model_shade_pairs(n) * s.dxx;
 }
 
 /* The low bits of a negative u times dx go below zero: they borrow from z. */

@@ -50,6 +50,12 @@ MODEL_INLINE struct model_row model_shade_row(const struct model_shading *s, int
 	};
 }
 
+/* n(n-1)/2: one of the factors is even, so nothing is lost. */
+MODEL_INLINE uint32_t model_shade_pairs(int32_t n)
+{
+	return (uint32_t)((n * (n - 1)) >> 1);
+}
+
 MODEL_INLINE uint32_t model_shade_level(uint32_t value)
 {
 	return model_clamp((int32_t)value >> GLOSS_COLOUR_FRACTION, 255);
@@ -70,14 +76,19 @@ MODEL_INLINE uint32_t model_shade_colour(const struct model_shading *s, const st
 	return colour | model_shade_level(row->alpha + u * row->alpha_dx + s->alpha.bend[n]) << 24;
 }
 
+/* The depth that is sent on, of bits 39:8. */
+MODEL_INLINE uint32_t model_shade_depth_of(uint32_t z)
+{
+	return model_clamp((int32_t)z, 0xfffffff) >> (GLOSS_DEPTH_FRACTION - 8);
+}
+
 /* Depth of pixel @n: the 32 bits of z have depth_fraction - 8 bits of fraction. */
 MODEL_INLINE uint32_t model_shade_depth(const struct model_shading *s, const struct model_row *row,
 					int n)
 {
 	uint32_t carry = (row->z_low + s->rise_low[n]) >> 8;
 
-	return model_clamp((int32_t)(row->z + s->rise[n] + carry), 0xfffffff) >>
-	       (GLOSS_DEPTH_FRACTION - 8);
+	return model_shade_depth_of(row->z + s->rise[n] + carry);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "model/model.h"
 
 #define WORDS_MAX 16
+#define ROUNDS 2000
 
 static void pack_head(uint32_t *words, enum gloss_shading shading, enum gloss_row_words row_words,
 		      const struct gloss_pixels_small *pixels)
@@ -145,6 +146,62 @@ static void rows_end_at_the_tile(void **state)
 	assert_int_equal(spans.count[0], 4);
 }
 
+/* A model in whose tile there is something, with any state. */
+static void any_tile(uint64_t *seed, struct model *model)
+{
+	int size = test_below(seed, 2) ? 32 : 64;
+
+	assert_int_equal(model_init(model, size, NULL, 0), 0);
+	model->state = (struct model_state){
+		.depth_func = (enum gloss_compare)test_below(seed, 8),
+		.depth_write = test_below(seed, 2),
+		.colour_mask = test_below(seed, 2) ? ~0u : 0x00ff00ff,
+		.scissor = { 0, 0, size, size },
+	};
+	if (test_below(seed, 4) == 0)
+		model->state.scissor = (struct model_scissor){ (int)test_below(seed, 33),
+							       (int)test_below(seed, 33),
+							       (int)test_below(seed, 33),
+							       (int)test_below(seed, 33) };
+	for (int n = 0; n < size * size; n++) {
+		model->tile.colour[n] = (uint32_t)test_random(seed);
+		model->tile.depth[n] = (uint32_t)test_random(seed);
+	}
+}
+
+static void any_words(uint64_t *seed, int tile_size, uint32_t words[WORDS_MAX])
+{
+	struct gloss_pixels_small pixels;
+	uint32_t rows = 1 + test_below(seed, 16);
+
+	for (int n = 0; n < WORDS_MAX; n++)
+		words[n] = (uint32_t)test_random(seed);
+	gloss_pixels_small_unpack(words + 1, &pixels);
+	pixels.first_row = test_below(seed, (uint32_t)tile_size - rows + 1);
+	pixels.last_row = rows - 1;
+	pack_head(words, (enum gloss_shading)test_below(seed, 3), GLOSS_ROW_WORDS_FOUR, &pixels);
+}
+
+static void they_are_drawn_as_other_triangles_are(void **state)
+{
+	static struct model wanted, got;
+	uint64_t seed = test_seed();
+	uint32_t words[WORDS_MAX];
+	struct model_triangle t;
+
+	(void)state;
+	for (int n = 0; n < ROUNDS; n++) {
+		any_tile(&seed, &wanted);
+		any_words(&seed, wanted.tile_size, words);
+		model_triangle_small_unpack(words, &t);
+		got = wanted;
+		model_draw_triangle(&wanted, &t);
+		model_draw_small(&got, &t);
+		assert_memory_equal(&got.counters, &wanted.counters, sizeof(got.counters));
+		assert_memory_equal(&got.tile, &wanted.tile, sizeof(got.tile));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -153,6 +210,7 @@ int main(void)
 		cmocka_unit_test(a_linear_form_is_the_start_of_a_second_order_one),
 		cmocka_unit_test(rows_are_the_pixels_that_they_list),
 		cmocka_unit_test(rows_end_at_the_tile),
+		cmocka_unit_test(they_are_drawn_as_other_triangles_are),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
