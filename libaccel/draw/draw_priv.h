@@ -139,6 +139,7 @@ struct accel_edge {
 	float colour[3];            /* there, as surfaces take it */
 	float spread;               /* about the square of the angle between the end normals */
 	bool sampled, curved, split;
+	bool examine; /* its triangles may have something inside that edges do not show */
 };
 
 /* A triangle and its edges; edge i is from vertex i to the next. */
@@ -494,7 +495,8 @@ void accel_shading_edge(const struct accel_pass *pass, const struct accel_vertex
 /* The same for the edges of a group from @first on. */
 void accel_shading_edges(const struct accel_pass *pass, const struct accel_group *group,
 			 uint32_t first);
-/* Must triangles be split although none of their edges is? @count is at most ACCEL_BATCH. */
+/* Must triangles be split although none of their edges is? They have one that says examine; @count
+ * is at most ACCEL_BATCH. */
 void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,
 			  int count, int side, bool *inside);
 

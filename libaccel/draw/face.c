@@ -261,12 +261,11 @@ static void face_decide(const struct accel_pass *pass, struct faces *list)
 	struct accel_patch patch[ACCEL_BATCH];
 	int splits[ACCEL_BATCH], number[ACCEL_BATCH], edged = 0;
 
-	memset(patch, 0, (size_t)list->count * sizeof(*patch));
 	for (int i = 0; i < list->count; i++) {
 		const struct accel_face *face = &list->face[i];
 
 		list->splits[i] = 0;
-		if (face->edge[0] == ACCEL_NONE)
+		if (face->edge[0] == ACCEL_NONE || !accel_split_may(pass->group, face->edge))
 			continue;
 		face_patch(pass->group, face->vertex, face->edge, face->side, &patch[edged]);
 		number[edged++] = i;

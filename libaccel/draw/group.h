@@ -220,9 +220,17 @@ void accel_few_surface(struct accel_triangle *triangle, const struct accel_few *
 
 /* ---- split.c ---- */
 
+/* May a triangle of these edges have to be split? Most need not be looked at any farther. */
+static inline bool accel_split_may(const struct accel_group *group, const uint32_t edge[3])
+{
+	const struct accel_edge *a = &group->edge[edge[0]], *b = &group->edge[edge[1]];
+	const struct accel_edge *c = &group->edge[edge[2]];
+
+	return a->split | b->split | c->split | a->examine | b->examine | c->examine;
+}
 /*
- * How many edges of triangles are to be split, 0 to 3, as their edges and the light inside of them
- * say. @count is at most ACCEL_BATCH.
+ * How many edges of such triangles are to be split, 0 to 3, as their edges and the light inside of
+ * them say. @count is at most ACCEL_BATCH.
  */
 void accel_split_decide(const struct accel_pass *pass, const struct accel_patch *patch, int count,
 			int *splits);

@@ -75,7 +75,7 @@ void accel_interpolate_edge(const struct accel_vertex *a, const struct accel_ver
 		return;
 	accel_patch_middle(a, b, &middle);
 	edge->middle = middle.sample;
-	edge->sampled = edge->curved = true;
+	edge->sampled = edge->curved = edge->examine = true;
 	for (int i = 0; i < 3; i++)
 		edge->colour[i] = middle.sample.colour[i];
 	if (!accel_patch_divisible(a, b))
@@ -89,8 +89,6 @@ bool accel_interpolate_inside(const struct accel_patch *patch)
 	float curve[3], alpha = 0;
 	struct accel_vertex middle;
 
-	if (!patch->edge[0]->curved && !patch->edge[1]->curved && !patch->edge[2]->curved)
-		return false;
 	accel_patch_centre(patch, &middle);
 	for (int i = 0; i < 3; i++)
 		alpha += patch->vertex[i]->sample.colour[3] / 3;

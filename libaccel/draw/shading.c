@@ -262,6 +262,7 @@ static void shading_bend(const struct accel_pass *pass, struct edges *list, int 
 /* Finds out by the ends which edges bend. */
 static void shading_look(const struct accel_pass *pass, struct edges *list, int side)
 {
+	const float shininess = number_larger(pass->lighting.finish[side].shininess, 1);
 	struct accel_edge_batch batch;
 
 	for (int i = 0; i < list->count; i++) {
@@ -274,6 +275,7 @@ static void shading_look(const struct accel_pass *pass, struct edges *list, int 
 					   batch.most_shine[i], batch.even[i] };
 
 		list->of[i].edge->spread = span.spread;
+		list->of[i].edge->examine = span.spread * shininess > HIGHLIGHT_WIDE;
 		if (span.length >= CURVE_LENGTH * CURVE_LENGTH &&
 		    !(span.even && batch.bend[i] < STRAIGHT))
 			shading_bend(pass, list, i, &span, side);
@@ -403,16 +405,12 @@ static bool shading_is_plain(const struct accel_pass *pass, const struct accel_p
 void accel_shading_inside(const struct accel_pass *pass, const struct accel_patch *const *patch,
 			  int count, int side, bool *inside)
 {
-	const float shininess = number_larger(pass->lighting.finish[side].shininess, 1);
 	struct accel_vertex middle[ACCEL_BATCH], *vertex[ACCEL_BATCH] = { NULL };
 	int number[ACCEL_BATCH], looked = 0;
 
 	for (int i = 0; i < count; i++) {
 		inside[i] = pass->interpolated && accel_interpolate_inside(patch[i]);
-		if (pass->interpolated ||
-		    !(shading_patch_spread(patch[i]) * shininess > HIGHLIGHT_WIDE))
-			continue;
-		if (shading_is_plain(pass, patch[i], side))
+		if (pass->interpolated || shading_is_plain(pass, patch[i], side))
 			continue;
 		accel_patch_centre(patch[i], &middle[looked]);
 		vertex[looked] = &middle[looked];

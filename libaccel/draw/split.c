@@ -340,7 +340,7 @@ static void split_look(const struct accel_pass *pass, uint32_t first, uint32_t e
 	for (uint32_t n = first; n < end; n++) {
 		const struct accel_part *part = &group->part[n];
 
-		if (!part->draws || part->few.count)
+		if (!part->draws || part->few.count || !accel_split_may(group, part->edge))
 			continue;
 		for (int i = 0; i < 3; i++) {
 			patch[count].vertex[i] = &group->vertex[part->vertex[i]];
