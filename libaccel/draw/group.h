@@ -13,8 +13,6 @@
 #ifndef ACCEL_DRAW_GROUP_H
 #define ACCEL_DRAW_GROUP_H
 
-#include <string.h>
-
 #include "draw/kernel.h"
 
 #define ACCEL_GROUP_FACES 2048u
@@ -91,25 +89,6 @@ struct accel_group {
 	uint32_t parts, parts_room;
 	struct accel_part *part;
 };
-
-/* accel_primitives_next of a walk whose primitive has walk->number, and another triangle. */
-static inline bool accel_primitives_next_listed(struct accel_walk *walk, uint32_t index[3])
-{
-	const struct accel_pass *pass = walk->pass;
-	const struct accel_screen *screen = pass->screen;
-	const uint32_t vertices = pass->arrays->vertices, base = pass->base;
-	uint32_t number[3];
-
-	memcpy(number, walk->number, sizeof(number));
-	walk->number += sizeof(number);
-	walk->triangle++;
-	if (number[0] >= vertices || number[1] >= vertices || number[2] >= vertices)
-		return false;
-	for (int i = 0; i < 3; i++)
-		index[i] = number[i] - base;
-	return !((screen[index[0]].outside | screen[index[1]].outside | screen[index[2]].outside) &
-		 ACCEL_OUTSIDE_INFINITE);
-}
 
 /* ---- group.c ---- */
 

@@ -294,24 +294,80 @@ static int mesh_put_triangle(struct accel_pass *pass, const uint32_t index[3],
 	return seen->count == ACCEL_BATCH ? mesh_flush(pass, seen) : 0;
 }
 
+/*
+ * Takes triangles of a list of indices, at most @most, while there is room, up to one that needs
+ * more than to be seen or culled. Returns how many.
+ */
+static uint32_t mesh_see_listed(const struct accel_pass *pass, struct accel_walk *walk,
+				uint64_t most, struct accel_seen *seen)
+{
+	const uint32_t odd = ACCEL_OUTSIDE_CLIP | ACCEL_OUTSIDE_INFINITE;
+	const uint32_t vertices = pass->arrays->vertices, base = pass->base;
+	const int before = seen->count;
+	uint32_t taken, index[3];
+
+	if (!walk->number)
+		return 0;
+	if (most > walk->triangles - walk->triangle)
+		most = walk->triangles - walk->triangle;
+	for (taken = 0; taken < most && seen->count < ACCEL_BATCH; taken++) {
+		const struct accel_screen *a, *b, *c;
+		int side;
+
+		memcpy(index, walk->number + taken * sizeof(index), sizeof(index));
+		if (index[0] >= vertices || index[1] >= vertices || index[2] >= vertices)
+			break;
+		for (int i = 0; i < 3; i++)
+			index[i] -= base;
+		a = &pass->screen[index[0]];
+		b = &pass->screen[index[1]];
+		c = &pass->screen[index[2]];
+		if ((a->outside | b->outside | c->outside) & odd)
+			break;
+		if (a->outside & b->outside & c->outside)
+			continue;
+		side = mesh_visible_side(pass->state, accel_setup_area(&a->at, &b->at, &c->at));
+		if (side >= 0)
+			accel_mesh_see(seen,
+				       (const struct accel_point *[3]){ &a->at, &b->at, &c->at },
+				       index, index[2], side);
+	}
+	walk->number += taken * sizeof(index);
+	walk->triangle += taken;
+	pass->stats->triangles_in += taken;
+	pass->stats->culled += taken - (uint32_t)(seen->count - before);
+	return taken;
+}
+
+static int mesh_put_next(struct accel_pass *pass, struct accel_walk *walk, struct accel_seen *seen)
+{
+	uint32_t index[3];
+
+	pass->stats->triangles_in++;
+	if (accel_primitives_next(walk, index))
+		return mesh_put_triangle(pass, index, seen);
+	pass->stats->culled++;
+	return 0;
+}
+
 int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end)
 {
 	struct accel_seen seen; /* large: what is not counted is not set */
 	struct accel_walk walk;
-	uint32_t index[3];
+	uint64_t i = first;
 	int err = 0;
 
 	seen.count = 0;
 	if (first < end)
 		accel_primitives_begin(&walk, pass, first);
-	for (uint64_t i = first; i < end && !err; i++) {
-		pass->stats->triangles_in++;
-		if (walk.number && walk.triangle < walk.triangles ?
-			    accel_primitives_next_listed(&walk, index) :
-			    accel_primitives_next(&walk, index))
-			err = mesh_put_triangle(pass, index, &seen);
-		else
-			pass->stats->culled++;
+	while (i < end && !err) {
+		i += mesh_see_listed(pass, &walk, end - i, &seen);
+		if (seen.count == ACCEL_BATCH) {
+			err = mesh_flush(pass, &seen);
+		} else if (i < end) {
+			err = mesh_put_next(pass, &walk, &seen);
+			i++;
+		}
 	}
 	if (!err)
 		err = mesh_flush(pass, &seen);

@@ -4,6 +4,8 @@
  * last vertex of each is that of its primitive which gives a flat one its colour (section 2.14.7):
  * the last one, of a polygon the first.
  */
+#include <string.h>
+
 #include "draw/group.h"
 
 enum accel_figure accel_primitives_figure(enum accel_topology topology)
@@ -207,6 +209,25 @@ static void primitives_elements(enum accel_topology topology, uint32_t i, uint32
 	element[2] = element[3] = i + 2;
 }
 
+/* The next of a walk whose primitive has walk->number, and another triangle. */
+static bool primitives_next_listed(struct accel_walk *walk, uint32_t index[3])
+{
+	const struct accel_pass *pass = walk->pass;
+	const struct accel_screen *screen = pass->screen;
+	const uint32_t vertices = pass->arrays->vertices, base = pass->base;
+	uint32_t number[3];
+
+	memcpy(number, walk->number, sizeof(number));
+	walk->number += sizeof(number);
+	walk->triangle++;
+	if (number[0] >= vertices || number[1] >= vertices || number[2] >= vertices)
+		return false;
+	for (int i = 0; i < 3; i++)
+		index[i] = number[i] - base;
+	return !((screen[index[0]].outside | screen[index[1]].outside | screen[index[2]].outside) &
+		 ACCEL_OUTSIDE_INFINITE);
+}
+
 bool accel_primitives_next(struct accel_walk *walk, uint32_t index[3])
 {
 	uint32_t element[4], vertex;
@@ -218,7 +239,7 @@ bool accel_primitives_next(struct accel_walk *walk, uint32_t index[3])
 		primitives_enter(walk, 0);
 	}
 	if (walk->number)
-		return accel_primitives_next_listed(walk, index);
+		return primitives_next_listed(walk, index);
 	drawable = walk->whole;
 	primitives_elements(walk->primitive->topology, walk->triangle++, element);
 	for (int i = 0; i < 4; i++) {
