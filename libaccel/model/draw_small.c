@@ -10,77 +10,82 @@
 /* From index MODEL_LANES - n on: n lanes, and then those that are out. */
 static const uint32_t first_lanes[2 * MODEL_LANES] = { [0 ... MODEL_LANES - 1] = ~0u };
 
-/* A channel in a row, from the first of some columns on. */
+/* A channel in MODEL_LANES columns of a row. */
 struct channel {
-	uint32_t i, dx;
-	uint32_t dy, dyy, dxy; /* to the next row */
-	uint32_t bend[MODEL_LANES];
+	uint32_t value[MODEL_LANES], step[MODEL_LANES]; /* in the row, and to the next */
+	uint32_t bend;                                  /* of steps */
 };
 
-/* The low byte of depths, and the bits above it, which carry into each other. */
+/* The same of depths: bits 39:8, and what is below, which is carried into them last. */
 struct heights {
-	uint64_t z, dy; /* of the first column; to the next row */
-	uint32_t rise[MODEL_LANES], rise_low[MODEL_LANES];
+	uint32_t z[MODEL_LANES], low[MODEL_LANES];
+	uint32_t step, step_low;
 };
 
 MODEL_INLINE void channel_begin(struct channel *channel, const struct model_surface *s, int u)
 {
-	channel->i = s->i + (uint32_t)u * s->dx + model_shade_pairs(u) * s->dxx;
-	channel->dx = s->dx + (uint32_t)u * s->dxx;
-	channel->dy = s->dy + (uint32_t)u * s->dxy;
-	channel->dyy = s->dyy;
-	channel->dxy = s->dxy;
+	const uint32_t dx = s->dx + (uint32_t)u * s->dxx, dy = s->dy + (uint32_t)u * s->dxy;
+	const uint32_t i = s->i + (uint32_t)u * s->dx + model_shade_pairs(u) * s->dxx;
+
+	channel->bend = s->dyy;
 #pragma GCC unroll 1
-	for (int l = 0; l < MODEL_LANES; l++)
-		channel->bend[l] = model_shade_pairs(l) * s->dxx;
+	for (int l = 0; l < MODEL_LANES; l++) {
+		channel->value[l] = i + (uint32_t)l * dx + model_shade_pairs(l) * s->dxx;
+		channel->step[l] = dy + (uint32_t)l * s->dxy;
+	}
 }
 
 MODEL_INLINE void channel_next_row(struct channel *channel)
 {
-	channel->i += channel->dy;
-	channel->dx += channel->dxy;
-	channel->dy += channel->dyy;
-}
-
-MODEL_INLINE uint32_t channel_level(const struct channel *channel, int l)
-{
-	return model_shade_level(channel->i + (uint32_t)l * channel->dx + channel->bend[l]);
+#pragma GCC unroll 1
+	for (int l = 0; l < MODEL_LANES; l++) {
+		channel->value[l] += channel->step[l];
+		channel->step[l] += channel->bend;
+	}
 }
 
 MODEL_INLINE void heights_begin(struct heights *heights, const struct model_plane *plane, int u)
 {
+	const uint64_t first = plane->z + (uint64_t)u * plane->dx;
+	const uint32_t z = (uint32_t)(first >> 8), low = first & 0xff;
 	const uint32_t dx = (uint32_t)(plane->dx >> 8), dx_low = plane->dx & 0xff;
 
-	heights->z = plane->z + (uint64_t)u * plane->dx;
-	heights->dy = plane->dy;
+	heights->step = (uint32_t)(plane->dy >> 8);
+	heights->step_low = plane->dy & 0xff;
 #pragma GCC unroll 1
 	for (int l = 0; l < MODEL_LANES; l++) {
-		heights->rise[l] = (uint32_t)l * dx;
-		heights->rise_low[l] = (uint32_t)l * dx_low;
+		heights->z[l] = z + (uint32_t)l * dx;
+		heights->low[l] = low + (uint32_t)l * dx_low;
 	}
 }
 
-MODEL_INLINE uint32_t heights_depth(const struct heights *heights, int l)
+MODEL_INLINE void heights_next_row(struct heights *heights)
 {
-	const uint32_t z = (uint32_t)(heights->z >> 8), z_low = heights->z & 0xff;
-
-	return model_shade_depth_of(z + heights->rise[l] + ((z_low + heights->rise_low[l]) >> 8));
+#pragma GCC unroll 1
+	for (int l = 0; l < MODEL_LANES; l++) {
+		heights->z[l] += heights->step;
+		heights->low[l] += heights->step_low;
+	}
 }
 
-/* The pixels that a row has in columns @x to @x + MODEL_LANES - 1, counted from there. */
+/* The lanes, of those from column @x on, that a row has pixels in: from x0 to before x1. */
 MODEL_INLINE struct model_span row_span(const struct model_triangle *triangle,
 					const struct model_scissor *scissor, int row, int x)
 {
 	const int first = triangle->x + (triangle->row[row] & 15);
 	const int end = triangle->x + (triangle->row[row] >> 4) + 1;
+	const int y = triangle->first_row + row;
 	const int left = (first > scissor->x0 ? first : scissor->x0) - x;
 	const int right = (end < scissor->x1 ? end : scissor->x1) - x;
-
-	return (struct model_span){
-		.y = triangle->first_row + row,
-		.x0 = left > 0 ? left : 0,
+	struct model_span span = {
+		.y = y,
+		.x0 = left < MODEL_LANES ? left : MODEL_LANES,
 		.x1 = right < MODEL_LANES ? right : MODEL_LANES,
 	};
+
+	span.x0 = span.x0 > 0 ? span.x0 : 0;
+	span.x1 = span.x1 > span.x0 && y >= scissor->y0 && y < scissor->y1 ? span.x1 : span.x0;
+	return span;
 }
 
 /* MODEL_LANES columns of the tile, in a row. */
@@ -115,10 +120,10 @@ MODEL_INLINE void columns_next_row(struct columns *columns)
 	channel_next_row(&columns->red);
 	channel_next_row(&columns->green);
 	channel_next_row(&columns->blue);
-	columns->heights.z += columns->heights.dy;
+	heights_next_row(&columns->heights);
 }
 
-/* Draws those of lanes x0 to x1 - 1 of @span. */
+/* Draws those lanes of the row that are in @span, which may have none. */
 MODEL_INLINE void columns_draw(struct columns *columns, struct model *model,
 			       const struct model_span *span)
 {
@@ -127,14 +132,17 @@ MODEL_INLINE void columns_draw(struct columns *columns, struct model *model,
 	const int at = span->y * model->tile_size + columns->x;
 	uint32_t *restrict colour = model->tile.colour + at;
 	uint32_t *restrict depth = model->tile.depth + at;
+	const struct heights *heights = &columns->heights;
 
 #pragma GCC unroll 1
 	for (int l = 0; l < MODEL_LANES; l++)
 		columns->passed[l] -= model_fragment_pixel(
 			&columns->test, inside[l] & ~before[l],
-			channel_level(&columns->red, l) | channel_level(&columns->green, l) << 8 |
-				channel_level(&columns->blue, l) << 16 | columns->alpha,
-			heights_depth(&columns->heights, l), &colour[l], &depth[l]);
+			model_shade_level(columns->red.value[l]) |
+				model_shade_level(columns->green.value[l]) << 8 |
+				model_shade_level(columns->blue.value[l]) << 16 | columns->alpha,
+			model_shade_depth_of(heights->z[l] + (heights->low[l] >> 8)), &colour[l],
+			&depth[l]);
 	model->counters.covered += (uint32_t)(span->x1 - span->x0);
 }
 
@@ -147,8 +155,7 @@ MODEL_INLINE void draw_columns(struct model *model, const struct model_triangle 
 	for (int row = 0; row <= triangle->last_row; row++) {
 		const struct model_span span = row_span(triangle, &scissor, row, x);
 
-		if (span.x0 < span.x1 && span.y >= scissor.y0 && span.y < scissor.y1)
-			columns_draw(&columns, model, &span);
+		columns_draw(&columns, model, &span);
 		columns_next_row(&columns);
 	}
 	for (int l = 0; l < MODEL_LANES; l++)
@@ -158,14 +165,14 @@ MODEL_INLINE void draw_columns(struct model *model, const struct model_triangle 
 MODEL_CLONES
 void model_draw_small(struct model *model, const struct model_triangle *triangle)
 {
-	int columns = 0, end;
+	const int x = triangle->x, end = model->state.scissor.x1;
+	unsigned int last = 0; /* bits of the last columns of rows */
 
-#pragma GCC unroll 1
 	for (int row = 0; row <= triangle->last_row; row++)
-		columns = triangle->row[row] >> 4 > columns ? triangle->row[row] >> 4 : columns;
-	end = triangle->x + columns + 1;
-	end = end < model->state.scissor.x1 ? end : model->state.scissor.x1;
-	for (int x = triangle->x; x < end; x += MODEL_LANES)
+		last |= triangle->row[row] >> 4;
+	if (x < end)
 		draw_columns(model, triangle, x);
+	if (last >= MODEL_LANES && x + MODEL_LANES < end)
+		draw_columns(model, triangle, x + MODEL_LANES);
 	model->counters.triangles++;
 }
