@@ -326,7 +326,7 @@ static uint32_t mesh_see_listed(const struct accel_pass *pass, struct accel_walk
 			break;
 		if (a->outside & b->outside & c->outside)
 			continue;
-		side = mesh_visible_side(pass->state, accel_setup_area(&a->at, &b->at, &c->at));
+		side = mesh_visible_side(pass, accel_setup_area(&a->at, &b->at, &c->at));
 		if (side >= 0)
 			accel_mesh_see(seen,
 				       (const struct accel_point *[3]){ &a->at, &b->at, &c->at },
