@@ -83,7 +83,7 @@ include driver/driver.mk
 
 # Tests, in the order in which they need each other's objects.
 include $(addprefix tests/,stream/stream.mk port/port.mk usb/usb.mk unit/unit.mk gl/oracle.mk decode/decode.mk \
-	hwgen/hwgen.mk gl/gl.mk view/view.mk image/image.mk bench/bench.mk info/info.mk vboard/vboard.mk \
+	hwgen/hwgen.mk gl/gl.mk gl/programs.mk view/view.mk image/image.mk bench/bench.mk info/info.mk vboard/vboard.mk \
 	rtl/raster.mk rtl/command.mk rtl/tile.mk rtl/port.mk synth/synth.mk stream/grammar.mk fuzz/fuzz.mk \
 	fuzz/fuzz_draw.mk fuzz/fuzz_usb.mk vm/vm.mk install/install.mk abi/abi.mk docs/docs.mk tests.mk lint.mk)
 

@@ -59,38 +59,6 @@ SANITIZED_TESTS += $(GL_EGL_TESTS) $(GL_PART_TESTS)
 THREAD_TESTS += $(GL_THREAD_TESTS)
 endif
 
-# mesa-utils' programs, as they are, say what is true.
-.PHONY: gl-programs
-gl-programs: $(GL_FILES) ## glxinfo and eglinfo on the OpenGL vendor library
-	$(call quiet,TEST,gl-programs)
-	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/programs $(BUILD)/tests/gl
-
-# Programs whose pictures are compared. What is preloaded says at its top for what.
-GL_PRELOADS := $(addprefix $(BUILD)/tests/gl/,still_clock.so pixel_light.so)
-$(GL_PRELOADS): $(BUILD)/tests/gl/%.so: tests/gl/%.c
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -o $@
-$(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
-GL_DRAWING := $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(GL_PRELOADS)
-gl-gears gl-demo gl-picture: export VENDOR := $(abspath $(GL_FOLDER))
-gl-gears gl-demo gl-picture: export TOOLS := $(abspath $(BUILD)/tests/gl)
-
-.PHONY: gl-gears gl-demo gl-picture
-gl-gears: $(GL_DRAWING) ## glxgears as softpipe draws it
-	$(call quiet,TEST,gl-gears)
-	$(Q)tests/gl/with_xvfb 24 tests/gl/gears $(BUILD)/tests/gl/gears
-
-$(BUILD)/examples/teapot: private LIBS := -lglut -lGL
-$(BUILD)/examples/teapot: $(BUILD)/examples/teapot.o
-	$(link)
-gl-demo gl-picture: export TEAPOT := $(abspath $(BUILD)/examples/teapot)
-gl-demo: $(GL_DRAWING) $(BUILD)/examples/teapot ## glxgears and a teapot, Gouraud and adaptive: build/gl-demo/sheet.png
-	$(call quiet,TEST,gl-demo)
-	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --check docs/pictures/opengl.png $(BUILD)/gl-demo
-
-gl-picture: $(GL_DRAWING) $(BUILD)/examples/teapot
-	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --write docs/pictures/opengl.png $(BUILD)/gl-demo
-
 # Any calls and arrays, many more than the unit tests have.
 .PHONY: gl-fuzz
 gl-fuzz: export GL_CALLS ?= 10000000
@@ -109,6 +77,5 @@ gl-valgrind: $(GL_EGL_TESTS:%=$(BUILD)/tests/gl/%) $(GL_FILES) ## programs of EG
 	done
 
 ifneq ($(GL_FOUND),)
-CHECKS += gl-programs gl-gears gl-demo gl-valgrind
-pictures: gl-picture
+CHECKS += gl-valgrind
 endif

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# Programs that know nothing of Gloss, as they are installed, on the OpenGL vendor library.
+##@ Library and tools
+
+# mesa-utils' programs, as they are, say what is true.
+.PHONY: gl-programs
+gl-programs: $(GL_FILES) ## glxinfo and eglinfo on the OpenGL vendor library
+	$(call quiet,TEST,gl-programs)
+	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/programs $(BUILD)/tests/gl
+
+# Programs whose pictures are compared. What is preloaded says at its top for what.
+GL_PRELOADS := $(addprefix $(BUILD)/tests/gl/,still_clock.so pixel_light.so)
+$(GL_PRELOADS): $(BUILD)/tests/gl/%.so: tests/gl/%.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -o $@
+$(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
+GL_DRAWING := $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(GL_PRELOADS)
+GL_DRAWERS := gl-gears gl-demo gl-picture
+$(GL_DRAWERS): export VENDOR := $(abspath $(GL_FOLDER))
+$(GL_DRAWERS): export TOOLS := $(abspath $(BUILD)/tests/gl)
+
+.PHONY: $(GL_DRAWERS)
+gl-gears: $(GL_DRAWING) ## glxgears as softpipe draws it
+	$(call quiet,TEST,gl-gears)
+	$(Q)tests/gl/with_xvfb 24 tests/gl/gears $(BUILD)/tests/gl/gears
+
+$(BUILD)/examples/teapot: private LIBS := -lglut -lGL
+$(BUILD)/examples/teapot: $(BUILD)/examples/teapot.o
+	$(link)
+gl-demo gl-picture: export TEAPOT := $(abspath $(BUILD)/examples/teapot)
+gl-demo: $(GL_DRAWING) $(BUILD)/examples/teapot ## glxgears and a teapot, Gouraud and adaptive: build/gl-demo/sheet.png
+	$(call quiet,TEST,gl-demo)
+	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --check docs/pictures/opengl.png $(BUILD)/gl-demo
+
+gl-picture: $(GL_DRAWING) $(BUILD)/examples/teapot
+	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --write docs/pictures/opengl.png $(BUILD)/gl-demo
+
+ifneq ($(GL_FOUND),)
+CHECKS += gl-programs gl-gears gl-demo
+pictures: gl-picture
+endif
