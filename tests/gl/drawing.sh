@@ -3,8 +3,8 @@
 # For scripts that draw with programs of OpenGL. In the environment are a DISPLAY; VENDOR, the folder of the
 # OpenGL vendor library; and TOOLS, that of gl_shot and still_clock.so.
 # shellcheck disable=SC2034 # used by those scripts
-gloss="env LD_LIBRARY_PATH=$VENDOR __GLX_VENDOR_LIBRARY_NAME=gloss GLOSS_DEVICE=model: GLOSS_CONFIG=/dev/null
-	vblank_mode=0"
+gloss="env LD_LIBRARY_PATH=$VENDOR __GLX_VENDOR_LIBRARY_NAME=gloss
+	__EGL_VENDOR_LIBRARY_FILENAMES=$VENDOR/90_gloss.json GLOSS_DEVICE=model: GLOSS_CONFIG=/dev/null vblank_mode=0"
 mesa='env __GLX_VENDOR_LIBRARY_NAME=mesa LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=0'
 softpipe="$mesa GALLIUM_DRIVER=softpipe"
 llvmpipe="$mesa GALLIUM_DRIVER=llvmpipe"

@@ -9,13 +9,13 @@ gl-programs: $(GL_FILES) ## glxinfo and eglinfo on the OpenGL vendor library
 	$(Q)tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/programs $(BUILD)/tests/gl
 
 # Programs whose pictures are compared. What is preloaded says at its top for what.
-GL_PRELOADS := $(addprefix $(BUILD)/tests/gl/,still_clock.so pixel_light.so)
+GL_PRELOADS := $(addprefix $(BUILD)/tests/gl/,still_clock.so pixel_light.so frames.so)
 $(GL_PRELOADS): $(BUILD)/tests/gl/%.so: tests/gl/%.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -o $@
+	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -lX11 -o $@
 $(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
 GL_DRAWING := $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(GL_PRELOADS)
-GL_DRAWERS := gl-gears gl-demo gl-picture
+GL_DRAWERS := gl-gears gl-demo gl-picture gl-devices
 $(GL_DRAWERS): export VENDOR := $(abspath $(GL_FOLDER))
 $(GL_DRAWERS): export TOOLS := $(abspath $(BUILD)/tests/gl)
 
@@ -35,7 +35,13 @@ gl-demo: $(GL_DRAWING) $(BUILD)/examples/teapot ## glxgears and a teapot, Gourau
 gl-picture: $(GL_DRAWING) $(BUILD)/examples/teapot
 	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --write docs/pictures/opengl.png $(BUILD)/gl-demo
 
+# The RTL; boards on PCI and USB are tests/vm/test_gl.sh's.
+gl-devices: $(GL_DRAWING) $(SIM_DIR)/accel-sim-t64-k8.so ## a screen saver draws the same on the Verilated core
+	$(call quiet,TEST,$@)
+	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) tests/gl/with_xvfb 24+noglx tests/gl/on_devices $(BUILD)/gl-devices pipes sim: \
+		>$(BUILD)/gl-devices.log || { status=$$?; cat $(BUILD)/gl-devices.log; [ $$status -eq 77 ]; }
+
 ifneq ($(GL_FOUND),)
-CHECKS += gl-programs gl-gears gl-demo
+CHECKS += gl-programs gl-gears gl-demo gl-devices
 pictures: gl-picture
 endif
