@@ -15,7 +15,7 @@ $(GL_PRELOADS): $(BUILD)/tests/gl/%.so: tests/gl/%.c
 	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -lX11 -o $@
 $(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
 GL_DRAWING := $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(GL_PRELOADS)
-GL_DRAWERS := gl-gears gl-demo gl-picture gl-devices
+GL_DRAWERS := gl-gears gl-demo gl-picture gl-devices bench-gl
 $(GL_DRAWERS): export VENDOR := $(abspath $(GL_FOLDER))
 $(GL_DRAWERS): export TOOLS := $(abspath $(BUILD)/tests/gl)
 
@@ -41,7 +41,11 @@ gl-devices: $(GL_DRAWING) $(SIM_DIR)/accel-sim-t64-k8.so ## a screen saver draws
 	$(Q)GLOSS_SIM_PATH=$(SIM_DIR) tests/gl/with_xvfb 24+noglx tests/gl/on_devices $(BUILD)/gl-devices pipes sim: \
 		>$(BUILD)/gl-devices.log || { status=$$?; cat $(BUILD)/gl-devices.log; [ $$status -eq 77 ]; }
 
+bench-gl: $(GL_DRAWING) ## glxgears, frames a processor second against Mesa's drivers (SHORT=1: one round)
+	$(Q)$(call keep_figures,gl,tests/gl/with_xvfb 24 tests/gl/bench $(SHORT_OPTION))
+
 ifneq ($(GL_FOUND),)
 CHECKS += gl-programs gl-gears gl-demo gl-devices
+BENCHES += bench-gl
 pictures: gl-picture
 endif
