@@ -95,52 +95,17 @@ void accel_few_light(const struct accel_pass *pass, const struct accel_patch *pa
 		few_light_side(pass, patch, few, count, side);
 }
 
-/* s10.22 of a difference of steps; to be taken as the integers of a record are. */
-static uint32_t few_fixed(float steps)
+void accel_few_put(const struct accel_few *few, int i, struct accel_few_batch *batch,
+		   struct accel_fit_batch *fit)
 {
-	float scaled = steps * (1 << GLOSS_COLOUR_FRACTION);
+	const struct accel_pixel *first = &few->pixel[0], *last = &few->pixel[few->count - 1];
 
-	return (uint32_t)(int32_t)(scaled < 0 ? scaled - 0.5f : scaled + 0.5f);
-}
-
-/* Of 0 to 255, as a pixel has it. */
-static int few_level(float colour)
-{
-	return (int)((colour < 1 ? colour : 1) * 255 + 0.5f);
-}
-
-static bool few_same(const struct accel_few *few, int channel)
-{
-	return few_level(few->colour[0][channel]) ==
-	       few_level(few->colour[few->count - 1][channel]);
-}
-
-/* From the first pixel's colour to the last's. */
-static void few_linear(struct accel_triangle *triangle, const struct accel_few *few, int channel)
-{
-	const struct accel_pixel *a = &few->pixel[0], *b = &few->pixel[few->count - 1];
-	const float *from = few->colour[0], *to = few->colour[few->count - 1];
-	int x = b->x - a->x, y = b->y - a->y;
-	float begin = from[channel] < 1 ? from[channel] : 1;
-	float end = to[channel] < 1 ? to[channel] : 1;
-	float step = 255 * (end - begin) / (float)(x * x + y * y);
-
-	triangle->channel[channel] = (struct accel_surface){
-		.i = few_fixed(255 * begin + 0.5f),
-		.dx = few_fixed(step * (float)x),
-		.dy = few_fixed(step * (float)y),
-	};
-}
-
-void accel_few_surface(struct accel_triangle *triangle, const struct accel_few *few)
-{
-	triangle->x = few->pixel[0].x;
-	triangle->y = few->pixel[0].y;
-	accel_surface_flat(triangle, few->colour[0]);
-	if (few_same(few, 0) && few_same(few, 1) && few_same(few, 2) && few_same(few, 3))
-		return;
-	triangle->shading = GLOSS_SHADING_LINEAR;
-	triangle->alpha_linear = !few_same(few, 3);
-	for (int i = 0; i < CHANNELS; i++)
-		few_linear(triangle, few, i);
+	fit->at_x[i] = first->x;
+	fit->at_y[i] = first->y;
+	batch->x[i] = last->x - first->x;
+	batch->y[i] = last->y - first->y;
+	for (int j = 0; j < CHANNELS; j++) {
+		batch->colour[0][j][i] = few->colour[0][j];
+		batch->colour[1][j][i] = few->colour[few->count - 1][j];
+	}
 }

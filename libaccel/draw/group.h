@@ -194,8 +194,9 @@ void accel_few_find(struct accel_few *few, const struct accel_pass *pass,
 /* Lights them. Of the @count patches only vertices and side are looked at. */
 void accel_few_light(const struct accel_pass *pass, const struct accel_patch *patch,
 		     struct accel_few *const *few, int count);
-/* The surfaces through this light. */
-void accel_few_surface(struct accel_triangle *triangle, const struct accel_few *few);
+/* Makes it triangle @i of a batch (kernel.h) that finds the surfaces through this light. */
+void accel_few_put(const struct accel_few *few, int i, struct accel_few_batch *batch,
+		   struct accel_fit_batch *fit);
 
 /* ---- split.c ---- */
 

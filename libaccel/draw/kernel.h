@@ -126,11 +126,19 @@ struct accel_fit_batch {
 	double vx[ACCEL_BATCH], vy[ACCEL_BATCH];
 	uint32_t flat[ACCEL_BATCH]; /* does it not vary by a step? */
 	float flat_colour[3][ACCEL_BATCH];
-	uint32_t fits[ACCEL_BATCH]; /* are all numbers of its surfaces small enough? */
-	struct accel_surface_batch surface[3];
-	uint32_t form[ACCEL_BATCH];     /* enum gloss_shading */
+	uint32_t fits[ACCEL_BATCH];            /* are all numbers of its surfaces small enough? */
+	struct accel_surface_batch surface[4]; /* the last is alpha's, and of few_loop.h only */
+	uint32_t form[ACCEL_BATCH];            /* enum gloss_shading */
 	uint32_t level[4][ACCEL_BATCH]; /* of a flat triangle, and of an alpha that is even */
-	uint32_t even[ACCEL_BATCH];     /* have all vertices the same alpha? */
+	uint32_t even[ACCEL_BATCH];     /* have all vertices, or pixels, the same alpha? */
+};
+
+/* ---- few_loop.h ---- */
+
+/* As struct accel_few: the colours of the first pixel and of the last, and the way from it. */
+struct accel_few_batch {
+	float colour[2][4][ACCEL_BATCH];
+	int32_t x[ACCEL_BATCH], y[ACCEL_BATCH];
 };
 
 /* ---- small_loop.h ---- */
@@ -180,6 +188,9 @@ struct accel_kernel {
 	/* The bases of @count triangles, and their depth planes; or their surfaces. */
 	void (*plane)(struct accel_fit_batch *batch, int count);
 	void (*fit)(struct accel_fit_batch *batch, int count);
+	/* The same of triangles of few pixels, @first to @end - 1; at_x and at_y stay. */
+	void (*few)(const struct accel_few_batch *few, struct accel_fit_batch *batch, int first,
+		    int end);
 	/* Rounds and packs those of @count triangles that are small; @tile_size is a power of two. */
 	void (*small)(struct accel_leaf_batch *batch, int count, int tile_size);
 	/* The edges of @count triangles, and up to ACCEL_LOOP_ROWS rows. */

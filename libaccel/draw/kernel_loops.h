@@ -11,6 +11,7 @@
 #include "draw/pixel_loop.h"
 #include "draw/setup_loop.h"
 #include "draw/fit_loop.h"
+#include "draw/few_loop.h"
 #include "draw/small_loop.h"
 
 const struct accel_kernel KERNEL = {
@@ -24,5 +25,6 @@ const struct accel_kernel KERNEL = {
 	.setup = loop_setup,
 	.plane = loop_plane_batch,
 	.fit = loop_fit,
+	.few = loop_few,
 	.small = loop_small,
 };

@@ -37,8 +37,10 @@ static void leaf_gather(struct accel_fit_batch *batch, int i, const struct accel
 static bool leaf_is_fitted(const struct accel_pass *pass, const struct accel_leaf *leaf,
 			   const struct accel_fit_batch *batch, int i)
 {
-	return !leaf->few->count && leaf->edged && batch->even[i] &&
-	       (batch->flat[i] || batch->fits[i]) && pass->state->shading != ACCEL_SHADING_GOURAUD;
+	if (leaf->few->count || !batch->even[i])
+		return batch->even[i];
+	return leaf->edged && (batch->flat[i] || batch->fits[i]) &&
+	       pass->state->shading != ACCEL_SHADING_GOURAUD;
 }
 
 /* The surfaces of any leaf. */
@@ -51,7 +53,7 @@ static void leaf_surface(const struct accel_pass *pass, const struct accel_leaf 
 
 	triangle->x = triangle->y = 0;
 	if (leaf->few->count) {
-		accel_few_surface(triangle, leaf->few);
+		accel_surface_few(triangle, batch, i);
 	} else if (shading == ACCEL_SHADING_FLAT) {
 		accel_surface_flat(triangle, leaf->flat->sample.colour);
 	} else if (!leaf->edged || (shading == ACCEL_SHADING_GOURAUD && !batch->curved[i])) {
@@ -107,21 +109,25 @@ static int leaf_bin(struct accel_pass *pass, const struct accel_leaf *leaf,
 	return err;
 }
 
-/* Those whose surfaces are fitted come first in the batch, others from its end on. */
+/* Those that are fitted come first in the batch, those of few pixels from its end on. */
 int accel_leaf_flush(struct accel_pass *pass, struct accel_leaves *leaves)
 {
 	const int count = leaves->count;
 	int place[ACCEL_BATCH], fitted = 0, others = count, err = 0;
 	struct accel_leaf_batch batch;
+	struct accel_few_batch few;
 
 	for (int i = 0; i < count; i++) {
 		const struct accel_leaf *leaf = &leaves->leaf[i];
 
 		place[i] = leaf->few->count ? --others : fitted++;
-		if (!leaf->few->count)
+		if (leaf->few->count)
+			accel_few_put(leaf->few, place[i], &few, &batch.fit);
+		else
 			leaf_gather(&batch.fit, place[i], leaf);
 	}
 	accel_kernel()->fit(&batch.fit, fitted);
+	accel_kernel()->few(&few, &batch.fit, others, count);
 	for (int i = 0; i < count; i++)
 		leaf_complete(pass, &leaves->leaf[i], &batch, place[i]);
 	accel_kernel()->small(&batch, count, pass->bin->tile_size);

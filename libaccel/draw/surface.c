@@ -369,3 +369,15 @@ void accel_surface_fitted(struct accel_triangle *triangle, const struct accel_fi
 		accel_surface_flat(triangle, flat);
 	surface_fit_alpha(triangle, &basis, colour);
 }
+
+void accel_surface_few(struct accel_triangle *triangle, const struct accel_fit_batch *batch, int i)
+{
+	triangle->x = batch->at_x[i];
+	triangle->y = batch->at_y[i];
+	triangle->shading = (enum gloss_shading)batch->form[i];
+	triangle->alpha_linear = !batch->even[i];
+	for (int j = 0; j < CHANNELS; j++) {
+		surface_take(&batch->surface[j], i, &triangle->channel[j]);
+		triangle->constant[j] = (uint8_t)batch->level[j][i];
+	}
+}

@@ -64,6 +64,8 @@ void accel_surface_basis_of(const struct accel_fit_batch *batch, int i, struct a
 /* As accel_surface_patch, of patch @i in a batch that has been fitted. */
 void accel_surface_fitted(struct accel_triangle *triangle, const struct accel_fit_batch *batch,
 			  int i, const struct accel_patch *patch);
+/* The surfaces of triangle @i, which has few pixels. */
+void accel_surface_few(struct accel_triangle *triangle, const struct accel_fit_batch *batch, int i);
 /* Surfaces through the patch's samples: flat, linear or second order, as it needs. */
 void accel_surface_patch(struct accel_triangle *triangle, const struct accel_basis *basis,
 			 const struct accel_patch *patch);

@@ -157,6 +157,8 @@ static void each_of_their_pixels_has_the_light_that_is_there(void **state)
 	for (int n = 0; n < 4000; n++) {
 		struct accel_few few, *const list[1] = { &few };
 		struct accel_triangle triangle;
+		struct accel_few_batch batch;
+		struct accel_fit_batch fit;
 
 		if (!any_triangle(f, 40))
 			continue;
@@ -164,7 +166,9 @@ static void each_of_their_pixels_has_the_light_that_is_there(void **state)
 		if (!few.count)
 			continue;
 		accel_few_light(&f->pass, &f->patch, list, 1);
-		accel_few_surface(&triangle, &few);
+		accel_few_put(&few, 0, &batch, &fit);
+		accel_kernel()->few(&batch, &fit, 0, 1);
+		accel_surface_few(&triangle, &fit, 0);
 		for (int i = 0; i < few.count; i++, seen++)
 			for (int j = 0; j < 3; j++) {
 				float colour[4], most;
@@ -179,6 +183,50 @@ static void each_of_their_pixels_has_the_light_that_is_there(void **state)
 	assert_true(seen > 1000);
 }
 
+/* Any two pixels, of any colours that light has; alpha differs now and then. */
+static struct accel_few any_few(uint64_t *seed)
+{
+	struct accel_few few = { .count = test_between(seed, 1, ACCEL_FEW + 1) };
+
+	few.pixel[0] = (struct accel_pixel){ test_between(seed, 0, SIDE),
+					     test_between(seed, 0, SIDE) };
+	few.pixel[1] = (struct accel_pixel){ few.pixel[0].x + test_between(seed, -3, 4),
+					     few.pixel[0].y + test_between(seed, 1, 4) };
+	for (int i = 0; i < 4; i++) {
+		few.colour[0][i] = (i < 3 ? ACCEL_COLOUR_MAX : 1) * test_unit(seed);
+		few.colour[1][i] = few.colour[0][i];
+		if (test_below(seed, 2))
+			few.colour[1][i] *= test_unit(seed);
+	}
+	return few;
+}
+
+static void they_are_the_same_with_all_instructions(void **state)
+{
+	static struct accel_few_batch batch;
+	static struct accel_fit_batch wanted, got;
+	struct fixture *f = *state;
+
+	for (int n = 0; n < 500; n++) {
+		const int first = test_between(&f->seed, 0, ACCEL_BATCH);
+
+		memset(&wanted, 0, sizeof(wanted));
+		for (int i = 0; i < ACCEL_BATCH; i++) {
+			const struct accel_few few = any_few(&f->seed);
+
+			accel_few_put(&few, i, &batch, &wanted);
+		}
+		for (int i = 1; accel_kernels[i]; i++) {
+			if (!accel_kernels[i]->runs())
+				continue;
+			got = wanted;
+			accel_kernels[i]->few(&batch, &got, first, ACCEL_BATCH);
+			accel_kernel_baseline.few(&batch, &wanted, first, ACCEL_BATCH);
+			assert_memory_equal(&got, &wanted, sizeof(got));
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -188,6 +236,8 @@ int main(void)
 						setup, teardown),
 		cmocka_unit_test_setup_teardown(each_of_their_pixels_has_the_light_that_is_there,
 						setup, teardown),
+		cmocka_unit_test_setup_teardown(they_are_the_same_with_all_instructions, setup,
+						teardown),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
