@@ -204,6 +204,12 @@ void gl_GetPointerv(GLenum pname, void **params)
 	case GL_FOG_COORDINATE_ARRAY_POINTER:
 		*params = (void *)arrays->fog.pointer;
 		break;
+	case GL_SELECTION_BUFFER_POINTER:
+		*params = context->selection.buffer;
+		break;
+	case GL_FEEDBACK_BUFFER_POINTER:
+		*params = context->feedback.buffer;
+		break;
 	case GL_TEXTURE_COORD_ARRAY_POINTER:
 		*params = (void *)arrays->texcoord[arrays->active].pointer;
 		break;

@@ -82,6 +82,7 @@ static void play_bitmap(struct gloss_context *context, const void *data)
 	for (GLint row = 0; row < call->height; row++)
 		bitmap_row(context, &bitmap, &bitmap_packed, call->bits, row);
 	bitmap_draw(context, &bitmap);
+	gloss_feedback_pixels(context, GL_BITMAP_TOKEN);
 	raster->position[0] += call->move[0];
 	raster->position[1] += call->move[1];
 }

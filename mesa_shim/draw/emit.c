@@ -204,7 +204,7 @@ static void emit_tell(struct gloss_context *context)
 	bool textured = false;
 
 	for (int i = 0; i < GLOSS_UNITS; i++)
-		for (int j = 0; j < 4; j++)
+		for (int j = 0; j < GLOSS_TEXTURE_KINDS; j++)
 			textured = textured || attributes->texturing.unit[i].enabled[j];
 	if (textured)
 		gloss_missing(context, GLOSS_MISSING_TEXTURE);
@@ -299,9 +299,26 @@ static void emit_result(struct gloss_context *context, int err)
 		gloss_missing(context, GLOSS_MISSING_DRAW);
 }
 
+void gloss_emit_capture(struct gloss_context *context, const struct accel_arrays *arrays,
+			const struct accel_elements *elements, accel_capture_fn call, void *data)
+{
+	if (!gloss_emit_begin(context))
+		return;
+	if (context->dirty)
+		emit_state(context);
+	accel_draw_capture(context->draw, call, data);
+	emit_result(context, accel_draw_arrays(context->draw, context->state, arrays, elements));
+	if (context->target)
+		accel_draw_capture(context->draw, NULL, NULL);
+}
+
 void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *arrays,
 		     const struct accel_elements *elements)
 {
+	if (context->render_mode != GL_RENDER) {
+		gloss_emit_capture(context, arrays, elements, gloss_render_mode_capture, context);
+		return;
+	}
 	if (!gloss_emit_begin(context))
 		return;
 	if (context->dirty)
@@ -355,7 +372,7 @@ static void emit_fills(struct gloss_context *context, const float (*box)[4], uin
 void gloss_emit_rectangles(struct gloss_context *context, const float (*box)[4], uint32_t count,
 			   float z, const float rgba[4], bool tested, bool colour, bool depth)
 {
-	if (!gloss_emit_begin(context))
+	if (context->render_mode != GL_RENDER || !gloss_emit_begin(context))
 		return;
 	gloss_emit_touch(context);
 	emit_plain_state(context, tested, colour, depth);
@@ -370,7 +387,7 @@ void gloss_emit_clear(struct gloss_context *context, const struct accel_clear *g
 	const bool alpha = context->visual.alpha;
 	struct accel_clear clear = *given;
 
-	if (!gloss_emit_begin(context))
+	if (context->render_mode != GL_RENDER || !gloss_emit_begin(context))
 		return;
 	gloss_emit_touch(context);
 	emit_plain_state(context, false, true, false);
@@ -397,7 +414,7 @@ void gloss_emit_write(struct gloss_context *context, enum accel_plane plane,
 	struct accel_target *target;
 
 	/* A frame that was begun clears what is new. */
-	if (!gloss_emit_begin(context))
+	if (context->render_mode != GL_RENDER || !gloss_emit_begin(context))
 		return;
 	target = context->target;
 	gloss_context_flush(context);

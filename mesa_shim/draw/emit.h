@@ -15,7 +15,10 @@ bool gloss_emit_begin(struct gloss_context *context);
 void gloss_emit_touch(struct gloss_context *context);
 /* Are there polygons that are not filled, so that edge flags count? */
 bool gloss_emit_has_outlines(const struct gloss_context *context);
-/* Draws with the state of now. */
+/* Gives what would be drawn with the state of now to @call, as accel_draw_capture does. */
+void gloss_emit_capture(struct gloss_context *context, const struct accel_arrays *arrays,
+			const struct accel_elements *elements, accel_capture_fn call, void *data);
+/* Draws with the state of now. What draws does nothing in selection and feedback, or tells what it is. */
 void gloss_emit_draw(struct gloss_context *context, const struct accel_arrays *arrays,
 		     const struct accel_elements *elements);
 /*

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-/* The raster position. Its colour is the current one, also while lighting is on. */
+/* The raster position, which has a vertex's colour. */
 #include <math.h>
 #include <string.h>
 
+#include "draw/batch.h"
+#include "draw/emit.h"
 #include "state/command.h"
 
 static void raster_take_current(struct gloss_context *context)
@@ -38,6 +40,39 @@ static bool raster_is_clipped(const struct gloss_context *context, const GLfloat
 	return !(clip[3] > 0);
 }
 
+static void raster_take_lit(void *data, enum accel_captured what,
+			    const struct accel_captured_vertex *vertex, uint32_t vertices)
+{
+	(void)what;
+	(void)vertices;
+	memcpy(data, vertex->colour, sizeof(vertex->colour));
+}
+
+/* The colour of a point that is lit there. */
+static void raster_light(struct gloss_context *context, const GLfloat object[4])
+{
+	const struct gloss_vertex *current = &context->attributes.current.vertex;
+	const struct accel_arrays arrays = ACCEL_ARRAYS(.vertices = 1,
+							.position = { .data = object,
+								      .components = 4 },
+							.normal = { .data = current->normal },
+							.colour = { .data = current->colour,
+								    .components = 4 });
+	const struct accel_primitive point = { ACCEL_TOPOLOGY_POINTS, 0, 1 };
+	const struct accel_elements elements = ACCEL_ELEMENTS(.primitive = &point, .primitives = 1);
+
+	gloss_batch_draw(context);
+	gloss_emit_capture(context, &arrays, &elements, raster_take_lit,
+			   context->attributes.raster.colour);
+}
+
+/* A valid position is a hit of selection. */
+static void raster_select(struct gloss_context *context)
+{
+	if (context->render_mode == GL_SELECT)
+		gloss_select_hit(context, context->attributes.raster.position[2]);
+}
+
 GLOSS_LISTED4(RasterPos4f, GLfloat, x, GLfloat, y, GLfloat, z, GLfloat, w)
 {
 	struct gloss_raster_position *raster = &context->attributes.raster;
@@ -58,6 +93,9 @@ GLOSS_LISTED4(RasterPos4f, GLfloat, x, GLfloat, y, GLfloat, z, GLfloat, w)
 	raster->position[2] = near + (clip[2] / clip[3] + 1) * (far - near) / 2;
 	raster->position[3] = clip[3];
 	raster->distance = sqrtf(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
+	if (context->attributes.lighting.enabled)
+		raster_light(context, object);
+	raster_select(context);
 }
 
 GLOSS_LISTED3(WindowPos3f, GLfloat, x, GLfloat, y, GLfloat, z)
@@ -71,4 +109,5 @@ GLOSS_LISTED3(WindowPos3f, GLfloat, x, GLfloat, y, GLfloat, z)
 	raster->position[2] = range[0] + fminf(fmaxf(z, 0), 1) * (range[1] - range[0]);
 	raster->position[3] = 1;
 	raster->distance = 0;
+	raster_select(context);
 }

@@ -49,6 +49,7 @@ static void play_draw_pixels(struct gloss_context *context, const void *data)
 	if (error || !raster->valid || !pixels.from)
 		return;
 	gloss_batch_draw(context);
+	gloss_feedback_pixels(context, GL_DRAW_PIXEL_TOKEN);
 	gloss_rectangle_draw(context, &rectangle);
 }
 
@@ -142,6 +143,7 @@ GLOSS_LISTED5(CopyPixels, GLint, x, GLint, y, GLsizei, width, GLsizei, height, G
 	if (error || !raster->valid)
 		return;
 	gloss_batch_draw(context);
+	gloss_feedback_pixels(context, GL_COPY_PIXEL_TOKEN);
 	if (rectangle.format == GL_STENCIL_INDEX)
 		gloss_missing(context, GLOSS_MISSING_STENCIL);
 	else

@@ -26,6 +26,16 @@ static size_t pixels_at(const struct gloss_pixels *pixels, GLsizei y, GLsizei z)
 					format->element, 0, pixels_row(pixels, y, z));
 }
 
+bool gloss_pixels_are_bytes(const struct gloss_pixels *pixels)
+{
+	return pixels->format.type == GL_UNSIGNED_BYTE && !pixels->format.index;
+}
+
+const uint8_t *gloss_pixels_bytes(const struct gloss_pixels *pixels, GLsizei y, GLsizei z)
+{
+	return (const uint8_t *)pixels->from + pixels_at(pixels, y, z);
+}
+
 void gloss_pixels_get(const struct gloss_pixels *pixels, GLsizei y, GLsizei z, float (*row)[4])
 {
 	const struct gloss_pixel_format *format = &pixels->format;

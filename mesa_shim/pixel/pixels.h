@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "draw/list.h"
 #include "draw/pixel_format.h"
@@ -21,6 +22,9 @@ struct gloss_pixels {
 
 /* Pixels of row @y of slice @z: RGBA, depth or index first. */
 void gloss_pixels_get(const struct gloss_pixels *pixels, GLsizei y, GLsizei z, float (*row)[4]);
+/* Whether a row of colours can be had as bytes, and where it is. */
+bool gloss_pixels_are_bytes(const struct gloss_pixels *pixels);
+const uint8_t *gloss_pixels_bytes(const struct gloss_pixels *pixels, GLsizei y, GLsizei z);
 void gloss_pixels_put(const struct gloss_pixels *pixels, GLsizei y, GLsizei z,
 		      const float (*row)[4]);
 

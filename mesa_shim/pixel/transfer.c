@@ -49,6 +49,16 @@ void gloss_transfer_colour(const struct gloss_context *context, float (*pixel)[4
 		}
 }
 
+bool gloss_transfer_is_plain(const struct gloss_context *context)
+{
+	const struct gloss_transfer *transfer = &context->attributes.transfer;
+
+	for (int i = 0; i < 4; i++)
+		if (transfer->scale[i] != 1 || transfer->bias[i] != 0)
+			return false;
+	return !transfer->map_colour;
+}
+
 static float transfer_shift(const struct gloss_transfer *transfer, float index)
 {
 	return floorf(ldexpf(index, transfer->index_shift)) + (float)transfer->index_offset;

@@ -22,6 +22,8 @@ struct gloss_context;
 void gloss_pixel_maps_init(struct gloss_pixel_maps *maps);
 /* Colours, limited to 0 to 1. */
 void gloss_transfer_colour(const struct gloss_context *context, float (*pixel)[4], size_t count);
+/* Whether colours stay as they are. */
+bool gloss_transfer_is_plain(const struct gloss_context *context);
 /* Indices, which become colours. */
 void gloss_transfer_index(const struct gloss_context *context, float (*pixel)[4], size_t count);
 /* Depths, limited to 0 to 1, and stencil indices: the first of each pixel. */

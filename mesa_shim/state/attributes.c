@@ -127,6 +127,10 @@ void gloss_attributes_init(struct gloss_attributes *attributes)
 			      .read_buffer = GL_BACK },
 		.viewport = { .range = { 0, 1 } },
 		.transform = { .matrix_mode = GL_MODELVIEW },
+		.evaluating = { .segments1 = 1,
+				.segments2 = { 1, 1 },
+				.grid1 = { 0, 1 },
+				.grid2 = { 0, 1, 0, 1 } },
 		.hints = { GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE,
 			   GL_DONT_CARE, GL_DONT_CARE },
 	};

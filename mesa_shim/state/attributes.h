@@ -128,6 +128,7 @@ enum gloss_texture_kind {
 	GLOSS_TEXTURE_2D,
 	GLOSS_TEXTURE_3D,
 	GLOSS_TEXTURE_CUBE,
+	GLOSS_TEXTURE_RECTANGLE,
 	GLOSS_TEXTURE_KINDS
 };
 
@@ -164,6 +165,13 @@ struct gloss_texturing {
 	struct gloss_unit unit[GLOSS_UNITS];
 };
 
+/* Maps by their kinds, and the grids of meshes. */
+struct gloss_evaluating {
+	GLboolean map1[9], map2[9], auto_normal;
+	GLint segments1, segments2[2];
+	GLfloat grid1[2], grid2[4];
+};
+
 struct gloss_multisample {
 	GLfloat coverage;
 	GLboolean enabled, alpha_to_coverage, alpha_to_one, sample_coverage, invert;
@@ -188,6 +196,7 @@ struct gloss_attributes {
 	struct gloss_scissor scissor;
 	struct gloss_hints hints;
 	struct gloss_texturing texturing;
+	struct gloss_evaluating evaluating;
 	struct gloss_multisample multisample;
 	GLint list_base;
 };

@@ -71,6 +71,9 @@ static bool context_init(struct gloss_context *context, struct gloss_context *sh
 	gloss_client_init(&context->client);
 	gloss_matrices_init(&context->matrices);
 	gloss_pixel_maps_init(&context->maps);
+	gloss_maps_init(&context->evaluators);
+	context->render_mode = GL_RENDER;
+	context->feedback.type = GL_2D;
 	context->immediate.current = &context->attributes.current;
 	context->immediate.set = ~0u;
 	context->vertices = &context->immediate;
@@ -103,6 +106,7 @@ void gloss_context_free(struct gloss_context *context)
 		gloss_textures_fini(context);
 		gloss_shared_unref(context->shared);
 	}
+	free(context->queries.place);
 	gloss_vertices_free(&context->immediate);
 	gloss_vertices_free(&context->compiling.vertices);
 	gloss_read_free(context);

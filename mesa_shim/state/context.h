@@ -10,7 +10,10 @@
 #include <stdint.h>
 
 #include "accel.h"
+#include "draw/evaluator.h"
+#include "draw/names.h"
 #include "draw/read.h"
+#include "draw/render_mode.h"
 #include "draw/vertices.h"
 #include "pixel/transfer.h"
 #include "state/attributes.h"
@@ -68,6 +71,12 @@ struct gloss_context {
 	struct gloss_matrices matrices;
 	struct gloss_textures textures;
 	struct gloss_pixel_maps maps;
+	struct gloss_maps evaluators;
+	GLenum render_mode;
+	struct gloss_selection selection;
+	struct gloss_feedback feedback;
+	struct gloss_names queries;
+	GLuint query; /* that was begun and not ended; 0: none is */
 	struct gloss_visual visual;
 	GLenum error;
 

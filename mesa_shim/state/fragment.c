@@ -75,6 +75,14 @@ GLOSS_LISTED4(ClearAccum, GLfloat, r, GLfloat, g, GLfloat, b, GLfloat, a)
 	clear[3] = fminf(fmaxf(a, -1), 1);
 }
 
+/* No configuration has an accumulation buffer. */
+GLOSS_LISTED2(Accum, GLenum, op, GLfloat, value)
+{
+	(void)value;
+	gloss_error(context,
+		    op >= GL_ACCUM && op <= GL_ADD ? GL_INVALID_OPERATION : GL_INVALID_ENUM);
+}
+
 GLOSS_LISTED1(ClearIndex, GLfloat, c)
 {
 	context->attributes.colour_buffer.clear_index = c;

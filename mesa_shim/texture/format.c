@@ -96,33 +96,42 @@ GLint gloss_texture_format_bits(const struct gloss_texture_format *format, GLenu
 	}
 }
 
-static uint32_t format_bytes(float r, float g, float b, float a)
+static uint32_t format_word(uint32_t r, uint32_t g, uint32_t b, uint32_t a)
 {
-	return (uint32_t)(r * 255 + 0.5f) | (uint32_t)(g * 255 + 0.5f) << 8 |
-	       (uint32_t)(b * 255 + 0.5f) << 16 | (uint32_t)(a * 255 + 0.5f) << 24;
+	return r | g << 8 | b << 16 | a << 24;
 }
 
 /* As it is sampled: what a base format has not is 0, and alpha 1 (table 3.21). */
-uint32_t gloss_texture_format_pack(const struct gloss_texture_format *format, const float rgba[4])
+uint32_t gloss_texture_format_pack_bytes(const struct gloss_texture_format *format,
+					 const uint8_t rgba[4])
 {
-	const float red = rgba[0];
+	const uint32_t red = rgba[0];
 
 	switch (format->base) {
 	case GL_ALPHA:
-		return format_bytes(0, 0, 0, rgba[3]);
+		return format_word(0, 0, 0, rgba[3]);
 	case GL_LUMINANCE:
-		return format_bytes(red, red, red, 1);
+		return format_word(red, red, red, 255);
 	case GL_LUMINANCE_ALPHA:
-		return format_bytes(red, red, red, rgba[3]);
+		return format_word(red, red, red, rgba[3]);
 	case GL_INTENSITY:
-		return format_bytes(red, red, red, red);
+		return format_word(red, red, red, red);
 	case GL_RGB:
-		return format_bytes(red, rgba[1], rgba[2], 1);
-	case GL_DEPTH_COMPONENT:
-		return (uint32_t)((double)red * DEPTH_MOST + 0.5);
+		return format_word(red, rgba[1], rgba[2], 255);
 	default:
-		return format_bytes(red, rgba[1], rgba[2], rgba[3]);
+		return format_word(red, rgba[1], rgba[2], rgba[3]);
 	}
+}
+
+uint32_t gloss_texture_format_pack(const struct gloss_texture_format *format, const float rgba[4])
+{
+	uint8_t bytes[4];
+
+	if (format->base == GL_DEPTH_COMPONENT)
+		return (uint32_t)((double)rgba[0] * DEPTH_MOST + 0.5);
+	for (int i = 0; i < 4; i++)
+		bytes[i] = (uint8_t)(rgba[i] * 255 + 0.5f);
+	return gloss_texture_format_pack_bytes(format, bytes);
 }
 
 /* Table 6.1. */

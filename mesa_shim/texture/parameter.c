@@ -114,6 +114,15 @@ static GLenum parameter_set_number(struct gloss_sampler *sampler, GLenum pname,
 	return GL_NO_ERROR;
 }
 
+/* What a rectangle can not be. */
+static bool parameter_is_refused(GLenum target, GLenum pname, GLenum value)
+{
+	if (target != GL_TEXTURE_RECTANGLE)
+		return false;
+	return (pname == GL_TEXTURE_MIN_FILTER && value >= GL_NEAREST_MIPMAP_NEAREST) ||
+	       value == GL_REPEAT || value == GL_MIRRORED_REPEAT;
+}
+
 /* The sampler of the texture that is bound; NULL: there is an error. */
 static struct gloss_sampler *parameter_sampler(struct gloss_context *context, GLenum target)
 {
@@ -139,7 +148,7 @@ GLOSS_LISTED3(TexParameterVector, GLenum, target, GLenum, pname, struct gloss_ve
 	at = parameter_enum(sampler, pname, given, &may);
 	if (!at)
 		gloss_error(context, parameter_set_number(sampler, pname, value));
-	else if (may)
+	else if (may && !parameter_is_refused(target, pname, given))
 		*at = given;
 	else
 		gloss_error(context, GL_INVALID_ENUM);

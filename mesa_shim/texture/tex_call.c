@@ -2,6 +2,7 @@
 #include "texture/tex_call.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/read.h"
 #include "state/command.h"
@@ -59,21 +60,65 @@ static float (*tex_row(struct gloss_context *context, GLsizei width))[4]
 	return row;
 }
 
-void gloss_tex_call_store(struct gloss_context *context, const struct gloss_tex_call *call,
-			  const struct gloss_texture_image *image, const GLint at[3])
+/* A row of bytes that nothing changes on its way. */
+static void tex_put_bytes(const struct gloss_pixel_format *format, const uint8_t *from,
+			  const struct gloss_texture_format *to, uint32_t *texel, GLsizei count)
 {
-	const struct gloss_pixels pixels = gloss_pixels_of(&call->pixels);
-	const GLsizei width = pixels.width;
+	for (GLsizei x = 0; x < count; x++, from += format->size) {
+		uint8_t rgba[4] = { 0, 0, 0, 255 };
+
+		for (unsigned int i = 0; i < format->components; i++)
+			rgba[format->from[i]] = from[i];
+		if (format->luminance)
+			rgba[1] = rgba[2] = rgba[0];
+		texel[x] = gloss_texture_format_pack_bytes(to, rgba);
+	}
+}
+
+static void tex_store_bytes(const struct gloss_pixels *pixels,
+			    const struct gloss_texture_image *image, const GLint at[3], bool same)
+{
+	for (GLsizei z = 0; z < pixels->depth; z++)
+		for (GLsizei y = 0; y < pixels->height; y++) {
+			const uint8_t *from = gloss_pixels_bytes(pixels, y, z);
+			uint32_t *to = gloss_texture_image_at(image, at[0], at[1] + y, at[2] + z);
+
+			if (same)
+				memcpy(to, from, (size_t)pixels->width * sizeof(*to));
+			else
+				tex_put_bytes(&pixels->format, from, image->format, to,
+					      pixels->width);
+		}
+}
+
+static void tex_store_floats(struct gloss_context *context, const struct gloss_tex_call *call,
+			     const struct gloss_pixels *pixels,
+			     const struct gloss_texture_image *image, const GLint at[3])
+{
+	const GLsizei width = pixels->width;
 	float(*row)[4] = tex_row(context, width);
 
-	for (GLsizei z = 0; row && z < pixels.depth; z++)
-		for (GLsizei y = 0; y < pixels.height; y++) {
-			gloss_pixels_get(&pixels, y, z, row);
+	for (GLsizei z = 0; row && z < pixels->depth; z++)
+		for (GLsizei y = 0; y < pixels->height; y++) {
+			gloss_pixels_get(pixels, y, z, row);
 			gloss_transfer_pixels(context, call->format, row, (size_t)width);
 			gloss_texture_image_put(image, at[0], at[1] + y, at[2] + z,
 						(const float(*)[4])row, width);
 		}
 	free(row);
+}
+
+void gloss_tex_call_store(struct gloss_context *context, const struct gloss_tex_call *call,
+			  const struct gloss_texture_image *image, const GLint at[3])
+{
+	const struct gloss_pixels pixels = gloss_pixels_of(&call->pixels);
+	const bool same = call->format == GL_RGBA && image->format->base == GL_RGBA;
+
+	if (call->format != GL_DEPTH_COMPONENT && gloss_pixels_are_bytes(&pixels) &&
+	    gloss_transfer_is_plain(context))
+		tex_store_bytes(&pixels, image, at, same);
+	else
+		tex_store_floats(context, call, &pixels, image, at);
 }
 
 void gloss_tex_copy_store(struct gloss_context *context, const struct gloss_tex_copy *copy,

@@ -6,12 +6,14 @@
 #include "state/command.h"
 #include "texture/tex_call.h"
 
-/* A power of two between two border texels, if there is a border. */
-static bool tex_is_size(GLsizei size, GLint border, GLsizei most)
+/* A power of two between two border texels, if there is a border; or any size of a rectangle. */
+static bool tex_is_size(int kind, GLsizei size, GLint border, GLsizei most)
 {
 	const GLsizei inside = size - 2 * border;
 
-	return inside >= 0 && inside <= most && !(inside & (inside - 1));
+	if (inside < 0 || inside > most)
+		return false;
+	return kind == GLOSS_TEXTURE_RECTANGLE ? !border : !(inside & (inside - 1));
 }
 
 static GLsizei tex_greatest(int kind)
@@ -30,7 +32,7 @@ static GLsizei tex_greatest(int kind)
 static bool tex_fits(int kind, GLint dimensions, GLint level, GLint border, const GLsizei size[3])
 {
 	for (int i = 0; i < 3 && i < dimensions; i++)
-		if (!tex_is_size(size[i], border, tex_greatest(kind) >> level))
+		if (!tex_is_size(kind, size[i], border, tex_greatest(kind) >> level))
 			return false;
 	return kind != GLOSS_TEXTURE_CUBE || size[0] == size[1];
 }
@@ -49,8 +51,8 @@ static GLenum tex_error(const struct gloss_texture *texture, GLint level, GLint 
 /* Depths are in images of one and two dimensions alone. */
 static bool tex_kind_has(int kind, const struct gloss_texture_format *format)
 {
-	return format->base != GL_DEPTH_COMPONENT || kind == GLOSS_TEXTURE_1D ||
-	       kind == GLOSS_TEXTURE_2D;
+	return format->base != GL_DEPTH_COMPONENT ||
+	       (kind != GLOSS_TEXTURE_3D && kind != GLOSS_TEXTURE_CUBE);
 }
 
 static void tex_set_proxy(struct gloss_texture_image *image, const struct gloss_texture_image *like,
@@ -123,8 +125,9 @@ static void play_image(struct gloss_context *context, const void *data)
 /* Proxies are no command of lists. */
 static bool tex_is_proxy(GLenum target)
 {
-	return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D ||
-	       target == GL_PROXY_TEXTURE_3D || target == GL_PROXY_TEXTURE_CUBE_MAP;
+	return target == GL_PROXY_TEXTURE_RECTANGLE || target == GL_PROXY_TEXTURE_1D ||
+	       target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_3D ||
+	       target == GL_PROXY_TEXTURE_CUBE_MAP;
 }
 
 static void tex_image(struct gloss_tex_call *call, GLenum format, GLenum type, const void *pixels)

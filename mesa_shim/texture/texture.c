@@ -21,6 +21,17 @@ static const struct gloss_sampler texture_sampler = {
 	.most = 1000,
 };
 
+/* A rectangle has no smaller images, and is not repeated. */
+static void texture_set_kind(struct gloss_texture *texture, int kind)
+{
+	texture->kind = kind;
+	if (kind != GLOSS_TEXTURE_RECTANGLE)
+		return;
+	texture->sampler.min = GL_LINEAR;
+	for (int i = 0; i < 3; i++)
+		texture->sampler.wrap[i] = GL_CLAMP_TO_EDGE;
+}
+
 static struct gloss_texture *texture_new(GLuint name, int kind)
 {
 	struct gloss_texture *texture = calloc(1, sizeof(*texture));
@@ -29,8 +40,8 @@ static struct gloss_texture *texture_new(GLuint name, int kind)
 		return NULL;
 	texture->references = 1;
 	texture->name = name;
-	texture->kind = kind;
 	texture->sampler = texture_sampler;
+	texture_set_kind(texture, kind);
 	return texture;
 }
 
@@ -125,7 +136,7 @@ static struct gloss_texture *texture_take(struct gloss_context *context, GLuint 
 		}
 		error = texture ? GL_NO_ERROR : GL_OUT_OF_MEMORY;
 	} else if (texture->kind < 0) {
-		texture->kind = kind;
+		texture_set_kind(texture, kind);
 	} else if (texture->kind != kind) {
 		error = GL_INVALID_OPERATION;
 	}
@@ -176,6 +187,8 @@ int gloss_texture_kind(GLenum target)
 		return GLOSS_TEXTURE_3D;
 	case GL_TEXTURE_CUBE_MAP:
 		return GLOSS_TEXTURE_CUBE;
+	case GL_TEXTURE_RECTANGLE:
+		return GLOSS_TEXTURE_RECTANGLE;
 	default:
 		return -1;
 	}
@@ -192,6 +205,8 @@ static int texture_proxy_kind(GLenum target)
 		return GLOSS_TEXTURE_3D;
 	case GL_PROXY_TEXTURE_CUBE_MAP:
 		return GLOSS_TEXTURE_CUBE;
+	case GL_PROXY_TEXTURE_RECTANGLE:
+		return GLOSS_TEXTURE_RECTANGLE;
 	default:
 		return -1;
 	}
@@ -231,6 +246,8 @@ int gloss_texture_levels(int kind)
 		return 8;
 	case GLOSS_TEXTURE_CUBE:
 		return 11;
+	case GLOSS_TEXTURE_RECTANGLE:
+		return 1;
 	default:
 		return GLOSS_TEXTURE_LEVELS;
 	}

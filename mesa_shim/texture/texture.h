@@ -34,6 +34,8 @@ GLint gloss_texture_format_bits(const struct gloss_texture_format *format, GLenu
 /* From RGBA, or from a depth in the first number, to what a texel is kept as, and back to what
  * glGetTexImage returns. */
 uint32_t gloss_texture_format_pack(const struct gloss_texture_format *format, const float rgba[4]);
+uint32_t gloss_texture_format_pack_bytes(const struct gloss_texture_format *format,
+					 const uint8_t rgba[4]);
 void gloss_texture_format_unpack(const struct gloss_texture_format *format, uint32_t texel,
 				 float rgba[4]);
 

@@ -172,6 +172,43 @@ static void what_was_drawn_is_copied(void **state)
 	assert_int_equal(glGetError(), GL_INVALID_OPERATION);
 }
 
+static void the_raster_position_is_lit(void **state)
+{
+	static const GLfloat light[4] = { 0, 0, 1, 0 }, blue[4] = { 0, 0, 1, 1 };
+	static const GLfloat black[4] = { 0, 0, 0, 1 };
+	GLfloat colour[4];
+
+	(void)state;
+	glEnable(GL_LIGHTING);
+	glEnable(GL_LIGHT0);
+	glLightfv(GL_LIGHT0, GL_POSITION, light);
+	glLightModelfv(GL_LIGHT_MODEL_AMBIENT, black);
+	glMaterialfv(GL_FRONT, GL_DIFFUSE, blue);
+	glNormal3f(0, 0, 1);
+	glRasterPos2i(9, 9);
+	glGetFloatv(GL_CURRENT_RASTER_COLOR, colour);
+	assert_float_equal(colour[0], 0, 1e-3f);
+	assert_float_equal(colour[2], 1, 1e-3f);
+	glNormal3f(0, 0, -1);
+	glRasterPos2i(9, 9);
+	glGetFloatv(GL_CURRENT_RASTER_COLOR, colour);
+	assert_float_equal(colour[2], 0, 1e-3f);
+	assert_int_equal(gl_pixel(9, 9), BLACK);
+}
+
+static void there_is_no_accumulation_buffer(void **state)
+{
+	GLint bits = -1;
+
+	(void)state;
+	glGetIntegerv(GL_ACCUM_RED_BITS, &bits);
+	assert_int_equal(bits, 0);
+	glAccum(GL_LOAD, 1);
+	assert_int_equal(glGetError(), GL_INVALID_OPERATION);
+	glAccum(GL_COLOR, 1);
+	assert_int_equal(glGetError(), GL_INVALID_ENUM);
+}
+
 static void all_formats_are_drawn(void **state)
 {
 	static const GLushort packed[1] = { 0x07e0 };
@@ -228,7 +265,9 @@ int main(void)
 		TEST(colours_are_tested_by_depth),
 		TEST(depths_are_drawn_in_the_raster_colour),
 		TEST(what_was_drawn_is_copied),
+		TEST(the_raster_position_is_lit),
 		TEST(all_formats_are_drawn),
+		TEST(there_is_no_accumulation_buffer),
 		TEST(a_list_keeps_pixels),
 	};
 

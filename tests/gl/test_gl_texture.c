@@ -116,6 +116,29 @@ static void a_cube_has_six_faces(void **state)
 	assert_int_equal(glGetError(), GL_INVALID_ENUM);
 }
 
+/* Of any size, with one level. */
+static void a_rectangle_is_not_repeated(void **state)
+{
+	static const uint8_t given[3][4] = { { 1 }, { 2 }, { 3 } };
+	uint8_t back[3][4];
+	GLint wrap;
+
+	(void)state;
+	glTexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_RGB, 3, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, given);
+	get_texels(GL_TEXTURE_RECTANGLE, back[0]);
+	assert_int_equal(back[2][0], 3);
+	glTexImage2D(GL_TEXTURE_RECTANGLE, 1, GL_RGB, 3, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, given);
+	assert_int_equal(glGetError(), GL_INVALID_VALUE);
+	glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_WRAP_S, GL_REPEAT);
+	assert_int_equal(glGetError(), GL_INVALID_ENUM);
+	glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+	assert_int_equal(glGetError(), GL_INVALID_ENUM);
+	glGetTexParameteriv(GL_TEXTURE_RECTANGLE, GL_TEXTURE_WRAP_S, &wrap);
+	assert_int_equal(wrap, GL_CLAMP_TO_EDGE);
+	glTexImage2D(GL_PROXY_TEXTURE_RECTANGLE, 0, GL_RGB, 2049, 1, 0, GL_RGB, GL_FLOAT, NULL);
+	assert_int_equal(level_parameter(GL_PROXY_TEXTURE_RECTANGLE, 0, GL_TEXTURE_WIDTH), 0);
+}
+
 static void parts_are_replaced(void **state)
 {
 	static const uint8_t zero[4][4] = { { 0 } }, two[2] = { 50, 60 };
@@ -332,6 +355,7 @@ int main(void)
 		TEST(images_are_unpacked_as_they_lie),
 		TEST(an_image_of_three_dimensions_has_slices),
 		TEST(a_cube_has_six_faces),
+		TEST(a_rectangle_is_not_repeated),
 		TEST(parts_are_replaced),
 		TEST(a_border_is_part_of_the_image),
 		TEST(what_is_no_image_is_an_error),
