@@ -147,7 +147,8 @@ static void emit_polygons(const struct gloss_polygon *polygon, struct accel_stat
 
 	accel_state_set_polygon_mode(state, emit_polygon_mode(polygon->mode[0]),
 				     emit_polygon_mode(polygon->mode[1]));
-	accel_state_set_polygon_offset(state, polygon->factor, polygon->units, modes);
+	/* Depths of vertices that are floats differ by two steps near the eye, if they differ. */
+	accel_state_set_polygon_offset(state, polygon->factor, 2 * polygon->units, modes);
 }
 
 bool gloss_emit_has_outlines(const struct gloss_context *context)
