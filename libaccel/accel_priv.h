@@ -66,6 +66,9 @@ struct accel_target {
 enum accel_outcome_state { ACCEL_OUTCOME_PENDING, ACCEL_OUTCOME_DONE, ACCEL_OUTCOME_FAILED };
 
 struct accel_state {
+	/* Numbers that no state has had for other content, in this process: of what vertices' places
+	 * and normals depend on, and of what light does. */
+	uint64_t geometry_stamp, light_stamp;
 	float modelview[16], projection[16];
 	struct {
 		int x, y, width, height;             /* width < 0: the whole target */

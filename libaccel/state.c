@@ -29,6 +29,26 @@ static const struct accel_light default_light = ACCEL_LIGHT(.position = { 0, 0, 
 
 static const float white[4] = { 1, 1, 1, 1 };
 
+/* The next number that no state has had. */
+static uint64_t state_stamp(void)
+{
+	static _Atomic uint64_t last;
+
+	return atomic_fetch_add_explicit(&last, 1, memory_order_relaxed) + 1;
+}
+
+/* What vertices' places and normals depend on was changed. */
+static void state_touch_geometry(struct accel_state *state)
+{
+	state->geometry_stamp = state_stamp();
+}
+
+/* The same of light. */
+static void state_touch_light(struct accel_state *state)
+{
+	state->light_stamp = state_stamp();
+}
+
 int accel_state_new(struct accel_state **out)
 {
 	struct accel_state *state = malloc(sizeof(*state));
@@ -53,6 +73,7 @@ int accel_state_new(struct accel_state **out)
 	accel_state_set_projection(state, identity);
 	for (int i = 0; i < ACCEL_LIGHTS; i++)
 		state->light[i] = default_light;
+	state_touch_light(state);
 	memcpy(state->light[0].diffuse, white, sizeof(white));
 	memcpy(state->light[0].specular, white, sizeof(white));
 	*out = state;
@@ -67,11 +88,13 @@ void accel_state_free(struct accel_state *state)
 void accel_state_set_modelview(struct accel_state *state, const float matrix[16])
 {
 	memcpy(state->modelview, matrix, sizeof(state->modelview));
+	state_touch_geometry(state);
 }
 
 void accel_state_set_projection(struct accel_state *state, const float matrix[16])
 {
 	memcpy(state->projection, matrix, sizeof(state->projection));
+	state_touch_geometry(state);
 }
 
 void accel_state_set_viewport(struct accel_state *state, int x, int y, int width, int height)
@@ -80,6 +103,7 @@ void accel_state_set_viewport(struct accel_state *state, int x, int y, int width
 	state->viewport.y = y;
 	state->viewport.width = width;
 	state->viewport.height = height;
+	state_touch_geometry(state);
 }
 
 /* What is not a number becomes 0. */
@@ -92,6 +116,7 @@ void accel_state_set_depth_range(struct accel_state *state, float near, float fa
 {
 	state->depth_near = state_clamp(near);
 	state->depth_far = state_clamp(far);
+	state_touch_geometry(state);
 }
 
 void accel_state_set_scissor(struct accel_state *state, int x, int y, int width, int height)
@@ -100,6 +125,7 @@ void accel_state_set_scissor(struct accel_state *state, int x, int y, int width,
 	state->scissor.y = y;
 	state->scissor.width = width;
 	state->scissor.height = height;
+	state_touch_geometry(state);
 }
 
 void accel_state_set_depth(struct accel_state *state, enum accel_compare func, bool write)
@@ -148,16 +174,20 @@ void accel_state_set_front_face(struct accel_state *state, bool clockwise)
 void accel_state_set_origin(struct accel_state *state, bool bottom)
 {
 	state->bottom = bottom;
+	state_touch_geometry(state);
 }
 
 void accel_state_set_normals(struct accel_state *state, enum accel_normals normals)
 {
 	state->normals = normals;
+	state_touch_geometry(state);
+	state_touch_light(state);
 }
 
 void accel_state_set_lighting(struct accel_state *state, bool enabled)
 {
 	state->lighting = enabled;
+	state_touch_geometry(state);
 }
 
 void accel_state_set_two_sided(struct accel_state *state, bool enabled)
@@ -168,6 +198,7 @@ void accel_state_set_two_sided(struct accel_state *state, bool enabled)
 void accel_state_set_local_viewer(struct accel_state *state, bool enabled)
 {
 	state->local_viewer = enabled;
+	state_touch_light(state);
 }
 
 void accel_state_set_colour_material(struct accel_state *state, enum accel_tracks front,
@@ -175,6 +206,7 @@ void accel_state_set_colour_material(struct accel_state *state, enum accel_track
 {
 	state->tracks[0] = front;
 	state->tracks[1] = back;
+	state_touch_light(state);
 }
 
 static bool state_finite(const float *value, int count)
@@ -189,6 +221,7 @@ int accel_state_set_clip_plane(struct accel_state *state, int index, const float
 {
 	if (index < 0 || index >= ACCEL_USER_CLIP_PLANES || (plane && !state_finite(plane, 4)))
 		return -EINVAL;
+	state_touch_geometry(state);
 	state->clip_planes &= ~(1u << index);
 	if (!plane)
 		return 0;
@@ -202,6 +235,7 @@ int accel_state_set_ambient(struct accel_state *state, const float rgba[4])
 	if (!state_finite(rgba, 4))
 		return -EINVAL;
 	memcpy(state->ambient, rgba, sizeof(state->ambient));
+	state_touch_light(state);
 	return 0;
 }
 
@@ -226,6 +260,7 @@ int accel_state_set_material(struct accel_state *state, const struct accel_mater
 	if (!state_material_valid(&material[0]) || !state_material_valid(&material[1]))
 		return -EINVAL;
 	memcpy(state->material, material, sizeof(material));
+	state_touch_light(state);
 	return 0;
 }
 
@@ -279,6 +314,7 @@ int accel_state_set_light(struct accel_state *state, int index, const struct acc
 		return -EINVAL;
 	state_light_complete(&light);
 	state->light[index] = light;
+	state_touch_light(state);
 	return 0;
 }
 

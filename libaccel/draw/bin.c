@@ -6,6 +6,7 @@
  */
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/bin.h"
 
@@ -209,8 +210,16 @@ void accel_bin_tests(struct accel_tile_state *state, enum accel_compare func, bo
 void accel_bin_state(struct accel_bin *bin, const struct accel_state *state,
 		     const struct accel_bounds *visible)
 {
+	const struct accel_bounds before = bin->visible;
+	const struct accel_tile_state now = bin->state;
+
 	accel_bin_tests(&bin->state, state->depth_func, state->depth_write, state->colour_mask);
 	bin->visible = *visible;
+	/* Tiles that had this state before have it still. */
+	if (bin->state.depth_state == now.depth_state &&
+	    bin->state.colour_mask == now.colour_mask &&
+	    !memcmp(&bin->visible, &before, sizeof(before)))
+		return;
 	bin->states++;
 }
 

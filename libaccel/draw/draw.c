@@ -114,36 +114,67 @@ int accel_draw_discard(struct accel_draw *draw, unsigned int planes)
 	return 0;
 }
 
-/* Draws those of the elements that pass has, all of one figure. */
-static int draw_figure(struct accel_draw *draw, struct accel_pass *pass)
+/* The transform of the state that the pass is drawn by, unless it is that already. */
+static void draw_derive_transform(struct accel_draw *draw)
 {
-	const struct accel_state *state = pass->state;
+	struct accel_pass *pass = &draw->pass;
+	struct accel_derived *derived = &draw->derived;
+	const int width = draw->target.width, height = draw->target.height;
+
+	if (derived->geometry == pass->state->geometry_stamp && derived->width == width &&
+	    derived->height == height && !pass->capture.call)
+		return;
+	accel_geometry_init(&pass->transform, pass->state, width, height);
+	derived->geometry = pass->state->geometry_stamp;
+	derived->width = width;
+	derived->height = height;
+	if (!pass->capture.call)
+		return;
+	accel_geometry_view(&pass->transform.window, pass->state);
+	derived->geometry = 0;
+}
+
+/* The same of its light. */
+static void draw_derive_light(struct accel_draw *draw)
+{
+	struct accel_pass *pass = &draw->pass;
+	struct accel_derived *derived = &draw->derived;
+
+	if (derived->light == pass->state->light_stamp && derived->painted == pass->painted)
+		return;
+	accel_lighting_init(&pass->lighting, pass->state, pass->painted);
+	derived->light = pass->state->light_stamp;
+	derived->painted = pass->painted;
+}
+
+/* Draws those of the elements that pass has, all of one figure. */
+static int draw_figure(struct accel_draw *draw)
+{
+	struct accel_pass *pass = &draw->pass;
 	int err = accel_arrays_begin(pass, &draw->slices.gather);
 
 	if (err || (!pass->triangles && !pass->strict))
 		return err;
-	accel_geometry_init(&pass->transform, state, draw->target.width, draw->target.height);
-	if (pass->capture.call)
-		accel_geometry_view(&pass->transform.window, state);
+	draw_derive_transform(draw);
 	if (pass->lit)
-		accel_lighting_init(&pass->lighting, state, pass->painted);
-	accel_bin_state(&draw->bin, state, &pass->transform.window.visible);
+		draw_derive_light(draw);
+	accel_bin_state(&draw->bin, pass->state, &pass->transform.window.visible);
 	return accel_slices_draw(&draw->slices, pass);
 }
 
-/* Those and outlines have the light of their vertices, linear between, whatever the shading is. */
-static int draw_strokes(struct accel_draw *draw, const struct accel_pass *given)
+/* Points, lines and outlines have the light of their vertices, linear between, whatever the shading. */
+static int draw_strokes(struct accel_draw *draw, const struct accel_state *given)
 {
-	struct accel_state state = *given->state;
-	struct accel_pass pass = *given;
+	struct accel_state state = *given;
+	struct accel_pass *pass = &draw->pass;
 
 	if (state.shading != ACCEL_SHADING_FLAT)
 		state.shading = ACCEL_SHADING_GOURAUD;
-	pass.state = &state;
-	pass.filled = given->state;
-	pass.interpolated = true;
-	pass.offset = false;
-	return draw_figure(draw, &pass);
+	pass->state = &state;
+	pass->filled = given;
+	pass->interpolated = true;
+	pass->offset = false;
+	return draw_figure(draw);
 }
 
 /* Is there a side that is seen and not filled? */
@@ -153,43 +184,60 @@ static bool draw_has_outlines(const struct accel_state *state)
 	       (state->cull != ACCEL_CULL_BACK && state->polygon_mode[1]);
 }
 
+/* What a pass is, but for its figure and what is derived of its state. */
+static void draw_pass_init(struct accel_draw *draw, const struct accel_state *state,
+			   const struct accel_arrays *arrays, const struct accel_elements *elements,
+			   bool strict)
+{
+	struct accel_pass *pass = &draw->pass;
+
+	pass->device = draw->device;
+	pass->state = state;
+	pass->arrays = arrays;
+	pass->elements = elements;
+	pass->strict = strict;
+	pass->capture = draw->capture;
+	pass->lit = state->lighting;
+	pass->painted = state->lighting && arrays->colour.data &&
+			(state->tracks[0] || state->tracks[1]);
+	pass->bin = &draw->bin;
+	pass->stats = &draw->stats;
+}
+
+/* Draws of @most primitives from that of @part on those of the first one's figure: @part is these. */
+static int draw_part(struct accel_draw *draw, const struct accel_state *state,
+		     struct accel_elements *part, uint32_t most, bool one_by_one)
+{
+	struct accel_pass *pass = &draw->pass;
+
+	pass->elements = part;
+	pass->figure = accel_primitives_figure(part->primitive->topology);
+	part->primitives = 1;
+	while (part->primitives < most &&
+	       accel_primitives_figure(part->primitive[part->primitives].topology) == pass->figure)
+		part->primitives++;
+	if (pass->figure == ACCEL_FIGURE_FILLED && one_by_one)
+		pass->figure = ACCEL_FIGURE_POLYGONS;
+	if (pass->figure != ACCEL_FIGURE_FILLED)
+		return draw_strokes(draw, state);
+	accel_pass_shade(pass, state);
+	return draw_figure(draw);
+}
+
 /* @strict: what is not finite is an error. After -ENOMEM the frame is lost. */
 static int draw_add(struct accel_draw *draw, const struct accel_state *state,
 		    const struct accel_arrays *arrays, const struct accel_elements *elements,
 		    bool strict)
 {
-	struct accel_pass pass = {
-		.device = draw->device,
-		.state = state,
-		.arrays = arrays,
-		.elements = elements,
-		.strict = strict,
-		.capture = draw->capture,
-		.lit = state->lighting,
-		.painted = state->lighting && arrays->colour.data &&
-			   (state->tracks[0] || state->tracks[1]),
-		.bin = &draw->bin,
-		.stats = &draw->stats,
-	};
 	const bool one_by_one = draw->capture.call || draw_has_outlines(state);
 	struct accel_elements part = *elements;
-	int err = accel_arrays_check(&pass);
+	int err;
 
-	accel_pass_shade(&pass, state);
-
+	draw_pass_init(draw, state, arrays, elements, strict);
+	err = accel_arrays_check(&draw->pass);
 	for (uint32_t i = 0; i < elements->primitives && !err; i += part.primitives) {
 		part.primitive = &elements->primitive[i];
-		pass.elements = &part;
-		pass.figure = accel_primitives_figure(part.primitive->topology);
-		part.primitives = 1;
-		while (i + part.primitives < elements->primitives &&
-		       accel_primitives_figure(part.primitive[part.primitives].topology) ==
-			       pass.figure)
-			part.primitives++;
-		if (pass.figure == ACCEL_FIGURE_FILLED && one_by_one)
-			pass.figure = ACCEL_FIGURE_POLYGONS;
-		err = pass.figure == ACCEL_FIGURE_FILLED ? draw_figure(draw, &pass) :
-							   draw_strokes(draw, &pass);
+		err = draw_part(draw, state, &part, elements->primitives - i, one_by_one);
 	}
 	if (err == -ENOMEM)
 		accel_draw_lose(draw);

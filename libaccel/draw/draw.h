@@ -5,6 +5,13 @@
 
 #include "draw/slices.h"
 
+/* What the transform and the light of a draw's pass are of: stamps of a state, and the rest. */
+struct accel_derived {
+	uint64_t geometry, light; /* 0: they are of nothing */
+	int width, height;
+	bool painted;
+};
+
 struct accel_draw {
 	struct accel_device *device;
 	struct accel_stream *stream;
@@ -13,6 +20,8 @@ struct accel_draw {
 	bool has_target;               /* a frame was begun */
 	struct accel_draw_stats stats; /* of this frame, or the one before */
 	struct accel_capture capture;
+	struct accel_pass pass; /* of this call; its transform and light are kept for the next */
+	struct accel_derived derived;
 	struct accel_slices slices; /* of a mesh; memory and threads are kept from mesh to mesh */
 };
 

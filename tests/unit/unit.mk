@@ -28,7 +28,7 @@ $(call unit,test_model_fault): $(BUILD)/tests/unit/model/fault_cases.o
 
 # ---- draw/ ----
 
-DRAW_UNIT_TESTS := test_setup test_setup_surface test_small test_fetch test_arrays test_strokes test_polygons test_capture test_rectangles test_draw_gl test_geometry test_lighting test_shading \
+DRAW_UNIT_TESTS := test_setup test_setup_surface test_small test_fetch test_arrays test_strokes test_polygons test_capture test_kept test_rectangles test_draw_gl test_geometry test_lighting test_shading \
 	test_kernel test_group test_few test_bin test_content test_frame test_draw_colour test_draw_parts \
 	test_draw_split test_draw_clip test_draw_spot test_draw_perspective test_draw_reports test_draw_out_of_memory
 DRAW_SQUARE_TESTS := test_draw test_draw_frame test_draw_input
