@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "window/config.h"
 
+#include <stddef.h>
+
 #define CONFIG(n, a, s, twice)                                                           \
 	.id = n, .red = 8, .green = 8, .blue = 8, .alpha = a, .depth = 24, .stencil = s, \
 	.double_buffered = twice
@@ -29,4 +31,40 @@ void gloss_config_sort(const struct gloss_config **configs, int count, bool alph
 			configs[place] = configs[place - 1];
 		configs[place] = next;
 	}
+}
+
+const struct gloss_criterion *gloss_criterion_find(const struct gloss_criterion *criteria,
+						   int count, int name)
+{
+	for (int i = 0; i < count; i++) {
+		if (criteria[i].name == name)
+			return &criteria[i];
+	}
+	return NULL;
+}
+
+int gloss_criterion_wanted(const struct gloss_criterion *criterion, const int *pairs, int end)
+{
+	int wanted = criterion->normal;
+
+	for (; pairs && pairs[0] != end; pairs += 2) {
+		if (pairs[0] == criterion->name)
+			wanted = pairs[1];
+	}
+	return wanted;
+}
+
+bool gloss_criterion_met(const struct gloss_criterion *criterion, int value, int wanted)
+{
+	switch (criterion->match) {
+	case GLOSS_MATCH_AT_LEAST:
+		return value >= wanted;
+	case GLOSS_MATCH_EXACT:
+		return value == wanted;
+	case GLOSS_MATCH_MASK:
+		return (value & wanted) == wanted;
+	case GLOSS_MATCH_IGNORED:
+		break;
+	}
+	return true;
 }

@@ -3,51 +3,44 @@
 #include "window/config.h"
 #include "window/egl.h"
 
-/* How eglChooseConfig compares. */
-enum match { IGNORED, AT_LEAST, EXACT, MASK };
-
 /* Those of EGL 1.5, table 3.4, with what a program wants that does not name them. */
-static const struct attribute {
-	EGLint name;
-	enum match match;
-	EGLint normal;
-} attributes[] = {
-	{ EGL_BUFFER_SIZE, AT_LEAST, 0 },
-	{ EGL_RED_SIZE, AT_LEAST, 0 },
-	{ EGL_GREEN_SIZE, AT_LEAST, 0 },
-	{ EGL_BLUE_SIZE, AT_LEAST, 0 },
-	{ EGL_LUMINANCE_SIZE, AT_LEAST, 0 },
-	{ EGL_ALPHA_SIZE, AT_LEAST, 0 },
-	{ EGL_ALPHA_MASK_SIZE, AT_LEAST, 0 },
-	{ EGL_BIND_TO_TEXTURE_RGB, EXACT, EGL_DONT_CARE },
-	{ EGL_BIND_TO_TEXTURE_RGBA, EXACT, EGL_DONT_CARE },
-	{ EGL_COLOR_BUFFER_TYPE, EXACT, EGL_RGB_BUFFER },
-	{ EGL_CONFIG_CAVEAT, EXACT, EGL_DONT_CARE },
-	{ EGL_CONFIG_ID, EXACT, EGL_DONT_CARE },
-	{ EGL_CONFORMANT, MASK, 0 },
-	{ EGL_DEPTH_SIZE, AT_LEAST, 0 },
-	{ EGL_LEVEL, EXACT, 0 },
-	{ EGL_MATCH_NATIVE_PIXMAP, IGNORED, EGL_NONE },
-	{ EGL_MAX_PBUFFER_WIDTH, IGNORED, EGL_DONT_CARE },
-	{ EGL_MAX_PBUFFER_HEIGHT, IGNORED, EGL_DONT_CARE },
-	{ EGL_MAX_PBUFFER_PIXELS, IGNORED, EGL_DONT_CARE },
-	{ EGL_MAX_SWAP_INTERVAL, EXACT, EGL_DONT_CARE },
-	{ EGL_MIN_SWAP_INTERVAL, EXACT, EGL_DONT_CARE },
-	{ EGL_NATIVE_RENDERABLE, EXACT, EGL_DONT_CARE },
-	{ EGL_NATIVE_VISUAL_ID, IGNORED, EGL_DONT_CARE },
-	{ EGL_NATIVE_VISUAL_TYPE, EXACT, EGL_DONT_CARE },
-	{ EGL_RENDERABLE_TYPE, MASK, EGL_OPENGL_ES_BIT },
-	{ EGL_SAMPLE_BUFFERS, AT_LEAST, 0 },
-	{ EGL_SAMPLES, AT_LEAST, 0 },
-	{ EGL_STENCIL_SIZE, AT_LEAST, 0 },
-	{ EGL_SURFACE_TYPE, MASK, EGL_WINDOW_BIT },
-	{ EGL_TRANSPARENT_TYPE, EXACT, EGL_NONE },
-	{ EGL_TRANSPARENT_RED_VALUE, EXACT, EGL_DONT_CARE },
-	{ EGL_TRANSPARENT_GREEN_VALUE, EXACT, EGL_DONT_CARE },
-	{ EGL_TRANSPARENT_BLUE_VALUE, EXACT, EGL_DONT_CARE },
+static const struct gloss_criterion criteria[] = {
+	{ EGL_BUFFER_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_RED_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_GREEN_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_BLUE_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_LUMINANCE_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_ALPHA_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_ALPHA_MASK_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_BIND_TO_TEXTURE_RGB, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_BIND_TO_TEXTURE_RGBA, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_COLOR_BUFFER_TYPE, GLOSS_MATCH_EXACT, EGL_RGB_BUFFER },
+	{ EGL_CONFIG_CAVEAT, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_CONFIG_ID, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_CONFORMANT, GLOSS_MATCH_MASK, 0 },
+	{ EGL_DEPTH_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_LEVEL, GLOSS_MATCH_EXACT, 0 },
+	{ EGL_MATCH_NATIVE_PIXMAP, GLOSS_MATCH_IGNORED, EGL_NONE },
+	{ EGL_MAX_PBUFFER_WIDTH, GLOSS_MATCH_IGNORED, EGL_DONT_CARE },
+	{ EGL_MAX_PBUFFER_HEIGHT, GLOSS_MATCH_IGNORED, EGL_DONT_CARE },
+	{ EGL_MAX_PBUFFER_PIXELS, GLOSS_MATCH_IGNORED, EGL_DONT_CARE },
+	{ EGL_MAX_SWAP_INTERVAL, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_MIN_SWAP_INTERVAL, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_NATIVE_RENDERABLE, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_NATIVE_VISUAL_ID, GLOSS_MATCH_IGNORED, EGL_DONT_CARE },
+	{ EGL_NATIVE_VISUAL_TYPE, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_RENDERABLE_TYPE, GLOSS_MATCH_MASK, EGL_OPENGL_ES_BIT },
+	{ EGL_SAMPLE_BUFFERS, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_SAMPLES, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_STENCIL_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ EGL_SURFACE_TYPE, GLOSS_MATCH_MASK, EGL_WINDOW_BIT },
+	{ EGL_TRANSPARENT_TYPE, GLOSS_MATCH_EXACT, EGL_NONE },
+	{ EGL_TRANSPARENT_RED_VALUE, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_TRANSPARENT_GREEN_VALUE, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
+	{ EGL_TRANSPARENT_BLUE_VALUE, GLOSS_MATCH_EXACT, EGL_DONT_CARE },
 };
 
-#define ATTRIBUTES ((int)(sizeof(attributes) / sizeof(attributes[0])))
+#define CRITERIA ((int)(sizeof(criteria) / sizeof(criteria[0])))
 
 /* Windows take any visual with red, green and blue; the root's is as good as another. */
 static EGLint config_visual(const struct egl_display *display)
@@ -119,71 +112,39 @@ static EGLint config_value(const struct egl_display *display, const struct gloss
 	}
 }
 
-/* What @wanted says of the attribute; the last word counts. */
-static EGLint config_wanted(const EGLint *wanted, const struct attribute *attribute)
-{
-	EGLint value = attribute->normal;
-
-	for (; wanted && wanted[0] != EGL_NONE; wanted += 2) {
-		if (wanted[0] == attribute->name)
-			value = wanted[1];
-	}
-	return value;
-}
-
 /*
  * Programs that ask for OpenGL ES, which is the default too, and bind OpenGL then, as the screen
  * savers of xscreensaver do, get what they want.
  */
 static bool config_matches(const struct egl_display *display, const struct gloss_config *config,
-			   const EGLint *wanted, const struct attribute *attribute)
+			   const EGLint *pairs, const struct gloss_criterion *criterion)
 {
-	EGLint value = config_value(display, config, attribute->name);
-	EGLint want = config_wanted(wanted, attribute);
+	EGLint wanted = gloss_criterion_wanted(criterion, pairs, EGL_NONE);
 
-	if (want == EGL_DONT_CARE)
+	if (wanted == EGL_DONT_CARE)
 		return true;
-	if (attribute->name == EGL_RENDERABLE_TYPE)
-		want &= ~EGL_OPENGL_ES_BIT;
-	switch (attribute->match) {
-	case AT_LEAST:
-		return value >= want;
-	case EXACT:
-		return value == want;
-	case MASK:
-		return (value & want) == want;
-	case IGNORED:
-	default:
-		return true;
-	}
-}
-
-static const struct attribute *config_attribute(EGLint name)
-{
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (attributes[i].name == name)
-			return &attributes[i];
-	}
-	return NULL;
+	if (criterion->name == EGL_RENDERABLE_TYPE)
+		wanted &= ~EGL_OPENGL_ES_BIT;
+	return gloss_criterion_met(criterion, config_value(display, config, criterion->name),
+				   wanted);
 }
 
 /* EGL's windows have a back buffer, so single-buffered formats are GLX's alone. */
 static int config_list(const struct egl_display *display, const EGLint *wanted,
 		       const struct gloss_config **list)
 {
-	static const struct attribute alpha = { EGL_ALPHA_SIZE, AT_LEAST, 0 };
+	static const struct gloss_criterion alpha = { EGL_ALPHA_SIZE, GLOSS_MATCH_AT_LEAST, 0 };
 	int count = 0;
 
 	for (int i = 0; i < GLOSS_CONFIGS; i++) {
 		bool matches = gloss_configs[i].double_buffered;
 
-		for (int a = 0; matches && a < ATTRIBUTES; a++)
-			matches = config_matches(display, &gloss_configs[i], wanted,
-						 &attributes[a]);
+		for (int a = 0; matches && a < CRITERIA; a++)
+			matches = config_matches(display, &gloss_configs[i], wanted, &criteria[a]);
 		if (matches)
 			list[count++] = &gloss_configs[i];
 	}
-	gloss_config_sort(list, count, config_wanted(wanted, &alpha) > 0);
+	gloss_config_sort(list, count, gloss_criterion_wanted(&alpha, wanted, EGL_NONE) > 0);
 	return count;
 }
 
@@ -209,7 +170,7 @@ EGLBoolean gloss_egl_choose_config(EGLDisplay dpy, const EGLint *wanted, EGLConf
 	if (!count)
 		return gloss_egl_result(EGL_BAD_PARAMETER);
 	for (const EGLint *pair = wanted; pair && pair[0] != EGL_NONE; pair += 2) {
-		if (!config_attribute(pair[0]))
+		if (!gloss_criterion_find(criteria, CRITERIA, pair[0]))
 			return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 	}
 	found = config_list(dpy, wanted, list);
@@ -250,7 +211,7 @@ EGLBoolean gloss_egl_get_config_attrib(EGLDisplay dpy, EGLConfig handle, EGLint 
 		return EGL_FALSE;
 	if (!value)
 		return gloss_egl_result(EGL_BAD_PARAMETER);
-	if (!config_attribute(name) || name == EGL_MATCH_NATIVE_PIXMAP)
+	if (!gloss_criterion_find(criteria, CRITERIA, name) || name == EGL_MATCH_NATIVE_PIXMAP)
 		return gloss_egl_result(EGL_BAD_ATTRIBUTE);
 	*value = config_value(dpy, config, name);
 	return gloss_egl_result(EGL_SUCCESS);

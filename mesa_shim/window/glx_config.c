@@ -7,42 +7,35 @@
 
 #define DONT_CARE ((int)GLX_DONT_CARE)
 
-/* How glXChooseFBConfig compares. */
-enum match { AT_LEAST, EXACT, MASK };
-
 /* Those of GLX 1.4, table 3.4, with what a program wants that does not name them. */
-static const struct attribute {
-	int name;
-	enum match match;
-	int normal;
-} attributes[] = {
-	{ GLX_FBCONFIG_ID, EXACT, DONT_CARE },
-	{ GLX_BUFFER_SIZE, AT_LEAST, 0 },
-	{ GLX_LEVEL, EXACT, 0 },
-	{ GLX_DOUBLEBUFFER, EXACT, DONT_CARE },
-	{ GLX_STEREO, EXACT, False },
-	{ GLX_AUX_BUFFERS, AT_LEAST, 0 },
-	{ GLX_RED_SIZE, AT_LEAST, 0 },
-	{ GLX_GREEN_SIZE, AT_LEAST, 0 },
-	{ GLX_BLUE_SIZE, AT_LEAST, 0 },
-	{ GLX_ALPHA_SIZE, AT_LEAST, 0 },
-	{ GLX_DEPTH_SIZE, AT_LEAST, 0 },
-	{ GLX_STENCIL_SIZE, AT_LEAST, 0 },
-	{ GLX_ACCUM_RED_SIZE, AT_LEAST, 0 },
-	{ GLX_ACCUM_GREEN_SIZE, AT_LEAST, 0 },
-	{ GLX_ACCUM_BLUE_SIZE, AT_LEAST, 0 },
-	{ GLX_ACCUM_ALPHA_SIZE, AT_LEAST, 0 },
-	{ GLX_RENDER_TYPE, MASK, GLX_RGBA_BIT },
-	{ GLX_DRAWABLE_TYPE, MASK, GLX_WINDOW_BIT },
-	{ GLX_X_RENDERABLE, EXACT, DONT_CARE },
-	{ GLX_X_VISUAL_TYPE, EXACT, DONT_CARE },
-	{ GLX_CONFIG_CAVEAT, EXACT, DONT_CARE },
-	{ GLX_TRANSPARENT_TYPE, EXACT, GLX_NONE },
-	{ GLX_SAMPLE_BUFFERS, AT_LEAST, 0 },
-	{ GLX_SAMPLES, AT_LEAST, 0 },
+static const struct gloss_criterion criteria[] = {
+	{ GLX_FBCONFIG_ID, GLOSS_MATCH_EXACT, DONT_CARE },
+	{ GLX_BUFFER_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_LEVEL, GLOSS_MATCH_EXACT, 0 },
+	{ GLX_DOUBLEBUFFER, GLOSS_MATCH_EXACT, DONT_CARE },
+	{ GLX_STEREO, GLOSS_MATCH_EXACT, False },
+	{ GLX_AUX_BUFFERS, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_RED_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_GREEN_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_BLUE_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_ALPHA_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_DEPTH_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_STENCIL_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_ACCUM_RED_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_ACCUM_GREEN_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_ACCUM_BLUE_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_ACCUM_ALPHA_SIZE, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_RENDER_TYPE, GLOSS_MATCH_MASK, GLX_RGBA_BIT },
+	{ GLX_DRAWABLE_TYPE, GLOSS_MATCH_MASK, GLX_WINDOW_BIT },
+	{ GLX_X_RENDERABLE, GLOSS_MATCH_EXACT, DONT_CARE },
+	{ GLX_X_VISUAL_TYPE, GLOSS_MATCH_EXACT, DONT_CARE },
+	{ GLX_CONFIG_CAVEAT, GLOSS_MATCH_EXACT, DONT_CARE },
+	{ GLX_TRANSPARENT_TYPE, GLOSS_MATCH_EXACT, GLX_NONE },
+	{ GLX_SAMPLE_BUFFERS, GLOSS_MATCH_AT_LEAST, 0 },
+	{ GLX_SAMPLES, GLOSS_MATCH_AT_LEAST, 0 },
 };
 
-#define ATTRIBUTES ((int)(sizeof(attributes) / sizeof(attributes[0])))
+#define CRITERIA ((int)(sizeof(criteria) / sizeof(criteria[0])))
 
 /* Visuals of a screen that have formats; freed by XFree. The root's comes first. */
 static XVisualInfo *config_visuals(Display *dpy, int screen, int *count)
@@ -152,60 +145,30 @@ static int config_value(const struct gloss_config *config, int name)
 	}
 }
 
-static const struct attribute *config_attribute(int name)
+static bool config_matches(const struct gloss_config *config, const int *pairs,
+			   const struct gloss_criterion *criterion)
 {
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (attributes[i].name == name)
-			return &attributes[i];
-	}
-	return NULL;
-}
+	const int wanted = gloss_criterion_wanted(criterion, pairs, None);
 
-static bool config_matches(const struct gloss_config *config, int name, int want)
-{
-	const struct attribute *attribute = config_attribute(name);
-	int value = config_value(config, name);
-
-	/* What is not in the table is no criterion, such as a pbuffer's largest width. */
-	if (!attribute || want == DONT_CARE)
-		return true;
-	switch (attribute->match) {
-	case AT_LEAST:
-		return value >= want;
-	case EXACT:
-		return value == want;
-	case MASK:
-	default:
-		return (value & want) == want;
-	}
-}
-
-/* What pairs @wanted say of an attribute, or its normal. */
-static int config_wanted(const int *wanted, int name, int normal)
-{
-	for (; wanted && wanted[0] != None; wanted += 2) {
-		if (wanted[0] == name)
-			normal = wanted[1];
-	}
-	return normal;
+	return wanted == DONT_CARE ||
+	       gloss_criterion_met(criterion, config_value(config, criterion->name), wanted);
 }
 
 /* Of the first @most formats, those that match. */
 static int config_list(const int *wanted, int most, const struct gloss_config **list)
 {
+	static const struct gloss_criterion alpha = { GLX_ALPHA_SIZE, GLOSS_MATCH_AT_LEAST, 0 };
 	int count = 0;
 
 	for (int i = 0; i < most; i++) {
 		bool matches = true;
 
-		for (int a = 0; matches && a < ATTRIBUTES; a++)
-			matches = config_matches(&gloss_configs[i], attributes[a].name,
-						 config_wanted(wanted, attributes[a].name,
-							       attributes[a].normal));
+		for (int a = 0; matches && a < CRITERIA; a++)
+			matches = config_matches(&gloss_configs[i], wanted, &criteria[a]);
 		if (matches)
 			list[count++] = &gloss_configs[i];
 	}
-	gloss_config_sort(list, count, config_wanted(wanted, GLX_ALPHA_SIZE, 0) > 0);
+	gloss_config_sort(list, count, gloss_criterion_wanted(&alpha, wanted, None) > 0);
 	return count;
 }
 
