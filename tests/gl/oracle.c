@@ -67,6 +67,9 @@ bool oracle_transform(const struct oracle_state *state, const struct oracle_vert
 	multiply(state->modelview, vertex->position, corner->eye);
 	multiply(state->projection, corner->eye, corner->clip);
 	oracle_normal(state, vertex->normal, corner->normal);
+	corner->length = sqrt(corner->normal[0] * corner->normal[0] +
+			      corner->normal[1] * corner->normal[1] +
+			      corner->normal[2] * corner->normal[2]);
 	memcpy(corner->current, vertex->colour, sizeof(corner->current));
 	for (int side = 0; side < ORACLE_SIDES; side++) {
 		if (state->lighting)

@@ -77,9 +77,10 @@ struct oracle_vertex {
 	double position[4], normal[3], colour[4];
 };
 
-/* Transformed, the normal too, and lit. The second colour is that of separate highlights. */
+/* Transformed, the normal too, and lit. The second colour is that of separate highlights. @length is
+ * that of the normal, which along a cut edge changes evenly, as the normal itself does not. */
 struct oracle_corner {
-	double eye[4], clip[4], normal[3], current[4];
+	double eye[4], clip[4], normal[3], length, current[4];
 	double colour[ORACLE_SIDES][2][4];
 };
 

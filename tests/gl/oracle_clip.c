@@ -40,6 +40,7 @@ static void between(const struct oracle_corner *a, const struct oracle_corner *b
 	mix(a->eye, b->eye, t, out->eye, 4);
 	mix(a->clip, b->clip, t, out->clip, 4);
 	mix(a->normal, b->normal, t, out->normal, 3);
+	mix(&a->length, &b->length, t, &out->length, 1);
 	mix(a->current, b->current, t, out->current, 4);
 	for (int side = 0; side < ORACLE_SIDES; side++)
 		for (int i = 0; i < 2; i++)

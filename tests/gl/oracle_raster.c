@@ -163,7 +163,7 @@ static void light_at(const struct oracle_state *state, const struct drawn *drawn
 		add(eye, weight[i], corner->eye, 4);
 		add(normal, weight[i], corner->normal, 3);
 		add(current, weight[i], corner->current, 4);
-		wanted += weight[i] * length(corner->normal);
+		wanted += weight[i] * corner->length;
 	}
 	has = length(normal);
 	for (int i = 0; i < 3 && has > 0; i++)

@@ -122,6 +122,18 @@ static void set_view(struct accel_state *state, const struct oracle_state *gl)
 	accel_state_set_depth(state, ACCEL_COMPARE_ALWAYS, true);
 }
 
+static void set_planes(struct accel_state *state, const struct oracle_state *gl)
+{
+	for (int i = 0; i < ORACLE_PLANES; i++) {
+		float plane[4];
+
+		floats(gl->plane[i], plane, 4);
+		assert_int_equal(accel_state_set_clip_plane(state, i,
+							    gl->planes >> i & 1 ? plane : NULL),
+				 0);
+	}
+}
+
 static enum accel_tracks tracks_of(unsigned int follow)
 {
 	switch (follow) {
@@ -151,6 +163,7 @@ static void set_state(struct accel_state *state, const struct oracle_state *gl,
 	float ambient[4];
 
 	set_view(state, gl);
+	set_planes(state, gl);
 	set_material(state, gl);
 	set_lights(state, gl);
 	floats(gl->ambient, ambient, 4);

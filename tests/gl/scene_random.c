@@ -127,6 +127,16 @@ static void random_follow(uint64_t *seed, unsigned int follow[ORACLE_SIDES])
 		follow[i] = test_below(seed, 4) ? mode : 0;
 }
 
+/* Through about the middle of what is drawn. */
+static void random_plane(uint64_t *seed, struct oracle_state *gl)
+{
+	uint32_t i = test_below(seed, ORACLE_PLANES);
+
+	gl->planes |= 1u << i;
+	scene_random_direction(seed, gl->plane[i]);
+	gl->plane[i][3] = (double)(float)(3 * gl->plane[i][2] + scene_between(seed, -0.3, 0.5));
+}
+
 void scene_random_state(uint64_t *seed, bool perspective, struct oracle_state *gl)
 {
 	random_modelview(seed, 3, gl->modelview);
@@ -139,6 +149,8 @@ void scene_random_state(uint64_t *seed, bool perspective, struct oracle_state *g
 	gl->normals = (enum oracle_normals)test_below(seed, 3);
 	gl->front_clockwise = test_below(seed, 2);
 	random_follow(seed, gl->follow);
+	for (uint32_t i = test_below(seed, 3) ? 0 : test_below(seed, 4); i; i--)
+		random_plane(seed, gl);
 	scene_random_colour(seed, 0.5, gl->ambient);
 	for (int i = 0; i < ORACLE_SIDES; i++)
 		random_material(seed, &gl->material[i]);
