@@ -4,6 +4,7 @@
  * section 3.4). So a line is on as many pixels of each column, or row. Of its ends the first is its
  * own and the last is not, so that where segments meet no pixel is missing or drawn twice.
  */
+#include <math.h>
 #include <stdlib.h>
 
 #include "draw/group.h"
@@ -14,9 +15,10 @@
 /* The least that vertices are apart. */
 #define SNAP (1 << (ACCEL_WINDOW_BITS - ACCEL_SNAP_BITS))
 
+/* Rounded, so that of a stipple's bits, which begin whole pixels from a vertex, each begins there. */
 static int32_t lines_between(int32_t a, int32_t b, double t)
 {
-	return a + (int32_t)((b - a) * t);
+	return a + (int32_t)floor((b - a) * t + 0.5);
 }
 
 /* The place that is @t of the way on the screen, which in space is another part of it. */

@@ -19,7 +19,7 @@ static int points_width(const struct accel_pass *pass, const struct accel_vertex
 	return number_max(1, (int)(width + 0.5f));
 }
 
-/* The first of @width pixels around a coordinate. */
+/* The first of @width pixels around a coordinate; between two pixels it is in the one that is greater. */
 static int32_t points_first(int32_t at, int width)
 {
 	const int32_t low = width % 2 ? at : at + ACCEL_WINDOW_HALF;
@@ -32,7 +32,9 @@ int accel_points_put(struct accel_pass *pass, struct accel_strokes *strokes,
 {
 	const int width = points_width(pass, vertex), size = width * ACCEL_WINDOW_ONE;
 	const int32_t x = points_first(vertex->x, width) * ACCEL_WINDOW_ONE;
-	const int32_t y = points_first(vertex->y, width) * ACCEL_WINDOW_ONE;
+	/* To the greater y as it is in NDC, which goes up unless the target's is turned. */
+	const int32_t up = pass->state->bottom ? 0 : 1;
+	const int32_t y = points_first(vertex->y - up, width) * ACCEL_WINDOW_ONE;
 	struct accel_vertex corner[4] = { *vertex, *vertex, *vertex, *vertex };
 
 	for (int i = 0; i < 4; i++) {

@@ -32,6 +32,8 @@ void oracle_state_init(struct oracle_state *state, int width, int height)
 	state->viewport[2] = width;
 	state->viewport[3] = height;
 	state->far = 1;
+	state->point_size = state->line_width = state->point_attenuation[0] = 1;
+	state->point_most = 64;
 	four(state->ambient, 0.2);
 	for (int side = 0; side < ORACLE_SIDES; side++) {
 		four(state->material[side].emission, 0);
@@ -89,7 +91,8 @@ static bool finite4(const double v[4])
 
 /* A primitive with a vertex that is nowhere is not drawn: OpenGL leaves open what it would be. */
 static void draw_primitive(const struct oracle_state *state, const struct oracle_vertex *vertex,
-			   const struct oracle_primitive *primitive, struct oracle_picture *picture)
+			   const struct oracle_primitive *primitive, int *stippled,
+			   struct oracle_picture *picture)
 {
 	struct oracle_corner polygon[ORACLE_CORNERS], provoking;
 	bool doubt = oracle_transform(state, &vertex[primitive->provoking], &provoking), cut;
@@ -104,16 +107,25 @@ static void draw_primitive(const struct oracle_state *state, const struct oracle
 			memcpy(polygon[i].colour, provoking.colour, sizeof(provoking.colour));
 	}
 	picture->doubtful |= doubt;
-	corners = oracle_clip(state, polygon, primitive->corners, &cut);
-	oracle_polygon(state, polygon, corners, cut, picture);
+	if (primitive->corners == 1) {
+		oracle_point(state, polygon, picture);
+	} else if (primitive->corners == 2) {
+		oracle_line(state, polygon, stippled, picture);
+	} else {
+		corners = oracle_clip(state, polygon, primitive->corners, &cut);
+		oracle_polygon(state, polygon, corners, cut, picture);
+	}
 }
 
 void oracle_draw(const struct oracle_state *state, enum oracle_topology topology,
 		 const struct oracle_vertex *vertex, int vertices, struct oracle_picture *picture)
 {
 	struct oracle_primitive primitive;
+	int stippled = 0;
 
-	for (int n = 0; oracle_assemble(topology, vertices, n, &primitive); n++)
-		if (primitive.corners >= 3)
-			draw_primitive(state, vertex, &primitive, picture);
+	for (int n = 0; oracle_assemble(topology, vertices, n, &primitive); n++) {
+		if (topology == ORACLE_LINES)
+			stippled = 0;
+		draw_primitive(state, vertex, &primitive, &stippled, picture);
+	}
 }

@@ -68,6 +68,9 @@ struct oracle_state {
 	struct oracle_material material[ORACLE_SIDES];
 	struct oracle_light light[ORACLE_LIGHTS];
 	bool lit_pixels; /* not OpenGL's: lit at each pixel, which better shading is to be like */
+	double point_size, point_least, point_most, point_attenuation[3], line_width;
+	unsigned int stipple;
+	int stipple_repeat;  /* 0: lines have no stipple */
 	unsigned int planes; /* bits of user clip planes that are enabled */
 	double plane[ORACLE_PLANES][4];
 };
@@ -95,6 +98,12 @@ struct oracle_pixel {
 	double slope;            /* of depth, from a pixel to the next */
 	double inside;           /* pixels to the nearest edge of its polygon */
 	double slack[5]; /* of colour and depth, from rounding the corners of what is no triangle */
+	bool either;     /* of a line that passes between two pixels: drawn or not */
+};
+
+/* In the window; x and y are in units of 1 / ORACLE_ROUND pixel. */
+struct oracle_place {
+	double x, y, z, w;
 };
 
 /*
@@ -124,6 +133,11 @@ bool oracle_assemble(enum oracle_topology topology, int vertices, int n,
  * (2.11); returns how many corners that has, and sets @cut if it is not all. */
 int oracle_clip(const struct oracle_state *state, struct oracle_corner polygon[ORACLE_CORNERS],
 		int corners, bool *cut);
+/* The same of a line's two ends; false: nothing is left. */
+bool oracle_clip_line(const struct oracle_state *state, struct oracle_corner end[2]);
+/* Whether a point is in the view, to whose sides it is clipped too, and inside the planes. */
+bool oracle_in_view(const struct oracle_state *state, const struct oracle_corner *corner,
+		    bool *doubt);
 
 /*
  * oracle_raster.c: draws a polygon over what is in the picture (3.5.1). Colours and depth are those
@@ -133,11 +147,22 @@ int oracle_clip(const struct oracle_state *state, struct oracle_corner polygon[O
 void oracle_polygon(const struct oracle_state *state, const struct oracle_corner *polygon,
 		    int corners, bool cut, struct oracle_picture *picture);
 
+/* Where a corner is in the window, rounded. */
+struct oracle_place oracle_place(const struct oracle_state *state, const double clip[4],
+				 bool *doubt);
+
+/* oracle_strokes.c: draw over what is in the picture. @stippled counts the fragments of a line and those
+ * after it that go on with its stipple. */
+void oracle_point(const struct oracle_state *state, const struct oracle_corner *corner,
+		  struct oracle_picture *picture);
+void oracle_line(const struct oracle_state *state, const struct oracle_corner ends[2],
+		 int *stippled, struct oracle_picture *picture);
+
 /* oracle.c: the vertex transformed and lit (2.10 to 2.14.1), colours limited (2.14.6); true: its
  * light is in doubt. */
 bool oracle_transform(const struct oracle_state *state, const struct oracle_vertex *vertex,
 		      struct oracle_corner *corner);
-/* All polygons of the vertices, in order, each over those before. */
+/* All primitives of the vertices, in order, each over those before. */
 void oracle_draw(const struct oracle_state *state, enum oracle_topology topology,
 		 const struct oracle_vertex *vertex, int vertices, struct oracle_picture *picture);
 

@@ -2,13 +2,17 @@
 /*
  * Clipping (2.11) of polygons, and of the colours with them (2.14.8). To the sides of the view a
  * polygon is not cut: that the viewport's pixels alone are drawn is the same, but for how cut
- * corners would be rounded.
+ * corners would be rounded. A line beyond a side is not drawn however wide it is; one that ends there
+ * is not cut, which is the same but for some pixels at its side.
  */
 #include "oracle.h"
 
+#include <math.h>
 #include <string.h>
 
 #define CLIP_PLANES (2 + ORACLE_PLANES)
+/* Of w: a point so near to the sides may be in or out. */
+#define UNSURE 1e-5
 
 /* How far inside: the near plane, the far one, then those of the user. */
 static double distance(const struct oracle_state *state, int plane,
@@ -67,6 +71,62 @@ static int cut_off(const struct oracle_state *state, int plane, struct oracle_co
 	}
 	memcpy(polygon, out, (size_t)kept * sizeof(*polygon));
 	return kept;
+}
+
+/* Whether both ends of a line are beyond the same side of the view. */
+static bool beside(const struct oracle_corner end[2])
+{
+	for (int i = 0; i < 2; i++) {
+		bool low = true, high = true;
+
+		for (int j = 0; j < 2; j++) {
+			low = low && end[j].clip[i] < -end[j].clip[3];
+			high = high && end[j].clip[i] > end[j].clip[3];
+		}
+		if (low || high)
+			return true;
+	}
+	return false;
+}
+
+bool oracle_clip_line(const struct oracle_state *state, struct oracle_corner end[2])
+{
+	if (beside(end))
+		return false;
+	for (int plane = 0; plane < CLIP_PLANES; plane++) {
+		struct oracle_corner cut;
+		double d[2];
+
+		if (plane >= 2 && !(state->planes >> (plane - 2) & 1))
+			continue;
+		for (int i = 0; i < 2; i++)
+			d[i] = distance(state, plane, &end[i]);
+		if (d[0] < 0 && d[1] < 0)
+			return false;
+		for (int i = 0; i < 2; i++) {
+			if (d[i] >= 0)
+				continue;
+			between(&end[!i], &end[i], d[!i], d[i], &cut);
+			end[i] = cut;
+		}
+	}
+	return true;
+}
+
+bool oracle_in_view(const struct oracle_state *state, const struct oracle_corner *corner,
+		    bool *doubt)
+{
+	const double w = corner->clip[3];
+	bool in = true;
+
+	for (int i = 0; i < 3; i++) {
+		in = in && fabs(corner->clip[i]) <= w;
+		*doubt |= fabs(fabs(corner->clip[i]) - w) < UNSURE * fabs(w);
+	}
+	for (int plane = 2; plane < CLIP_PLANES; plane++)
+		if (state->planes >> (plane - 2) & 1)
+			in = in && distance(state, plane, corner) >= 0;
+	return in;
 }
 
 int oracle_clip(const struct oracle_state *state, struct oracle_corner polygon[ORACLE_CORNERS],

@@ -14,13 +14,9 @@
 /* Pixels from the window's corner that a polygon may reach before products limit it. */
 #define FAR_AWAY 900
 
-/* A corner in the window; x and y in sixteenths of a pixel. */
-struct place {
-	double x, y, z, w;
-};
-
 /* Twice the area of a triangle, positive if it turns counter-clockwise. */
-static double area(const struct place *a, const struct place *b, const struct place *c)
+static double area(const struct oracle_place *a, const struct oracle_place *b,
+		   const struct oracle_place *c)
 {
 	return (b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y);
 }
@@ -32,20 +28,20 @@ static double rounded(double value, bool *doubt)
 	return floor(value + 0.5);
 }
 
-static struct place round_place(const struct place *place, bool *doubt)
+static struct oracle_place round_place(const struct oracle_place *place, bool *doubt)
 {
-	return (struct place){ rounded(place->x, doubt), rounded(place->y, doubt), place->z,
-			       place->w };
+	return (struct oracle_place){ rounded(place->x, doubt), rounded(place->y, doubt), place->z,
+				      place->w };
 }
 
-static struct place place_of(const struct oracle_state *state, const double clip[4])
+static struct oracle_place place_of(const struct oracle_state *state, const double clip[4])
 {
 	const double *v = state->viewport;
 	double ndc[3];
 
 	for (int i = 0; i < 3; i++)
 		ndc[i] = clip[i] / clip[3];
-	return (struct place){
+	return (struct oracle_place){
 		.x = (v[0] + (ndc[0] + 1) * v[2] / 2) * ORACLE_ROUND,
 		.y = (v[1] + (ndc[1] + 1) * v[3] / 2) * ORACLE_ROUND,
 		.z = state->near + (ndc[2] + 1) / 2 * (state->far - state->near),
@@ -53,8 +49,16 @@ static struct place place_of(const struct oracle_state *state, const double clip
 	};
 }
 
+struct oracle_place oracle_place(const struct oracle_state *state, const double clip[4],
+				 bool *doubt)
+{
+	const struct oracle_place place = place_of(state, clip);
+
+	return round_place(&place, doubt);
+}
+
 /* Twice the area; a polygon that rounding dents, or makes a line, is in doubt. */
-static double polygon_area(const struct place *place, int corners, bool *doubt)
+static double polygon_area(const struct oracle_place *place, int corners, bool *doubt)
 {
 	double sum = 0, least = 0, most = 0;
 
@@ -76,12 +80,13 @@ static bool culled(const struct oracle_state *state, enum oracle_side side)
 }
 
 /* Pixels inside of the nearest edge of a counter-clockwise polygon; below 0: outside. */
-static double depth_inside(const struct place *place, int corners, const struct place *centre)
+static double depth_inside(const struct oracle_place *place, int corners,
+			   const struct oracle_place *centre)
 {
 	double nearest = INFINITY;
 
 	for (int i = 0; i < corners; i++) {
-		const struct place *a = &place[i], *b = &place[(i + 1) % corners];
+		const struct oracle_place *a = &place[i], *b = &place[(i + 1) % corners];
 		double dx = b->x - a->x, dy = b->y - a->y, side = area(a, b, centre);
 
 		if (dx == 0 && dy == 0)
@@ -97,8 +102,9 @@ static double depth_inside(const struct place *place, int corners, const struct 
 /* A polygon as it is filled: counter-clockwise. */
 struct drawn {
 	const struct oracle_corner *corner;
-	struct place rounded[ORACLE_CORNERS]; /* what it covers */
-	struct place place[ORACLE_CORNERS];   /* what colours and depths are interpolated between */
+	struct oracle_place rounded[ORACLE_CORNERS]; /* what it covers */
+	struct oracle_place
+		place[ORACLE_CORNERS]; /* what colours and depths are interpolated between */
 	int corners;
 	bool cut; /* or of more than three corners */
 	enum oracle_side side;
@@ -122,10 +128,10 @@ static void find_largest(struct drawn *drawn)
 }
 
 /* The parts that corners have in a point on screen, and those in perspective (3.6). */
-static void shares_at(const struct drawn *drawn, const struct place *at, double share[3],
+static void shares_at(const struct drawn *drawn, const struct oracle_place *at, double share[3],
 		      double weight[3])
 {
-	const struct place *p[3];
+	const struct oracle_place *p[3];
 	double whole, sum = 0;
 
 	for (int i = 0; i < 3; i++)
@@ -173,7 +179,7 @@ static void light_at(const struct oracle_state *state, const struct drawn *drawn
 
 /* Colours, of which the second is added to the first (3.9), and depth (3.7). */
 static void values_at(const struct oracle_state *state, const struct drawn *drawn,
-		      const struct place *at, double value[5])
+		      const struct oracle_place *at, double value[5])
 {
 	double share[3], weight[3], colour[2][4] = { { 0 } };
 
@@ -196,9 +202,9 @@ static void values_at(const struct oracle_state *state, const struct drawn *draw
 /* How much depth changes from a pixel to the next, across or up. */
 static double depth_slope(const struct drawn *drawn)
 {
-	const struct place *a = &drawn->place[drawn->largest[0]];
-	const struct place *b = &drawn->place[drawn->largest[1]];
-	const struct place *c = &drawn->place[drawn->largest[2]];
+	const struct oracle_place *a = &drawn->place[drawn->largest[0]];
+	const struct oracle_place *b = &drawn->place[drawn->largest[1]];
+	const struct oracle_place *c = &drawn->place[drawn->largest[2]];
 	double whole = area(a, b, c);
 	double across = (b->z - a->z) * (c->y - a->y) - (c->z - a->z) * (b->y - a->y);
 	double up = (b->x - a->x) * (c->z - a->z) - (c->x - a->x) * (b->z - a->z);
@@ -207,7 +213,7 @@ static double depth_slope(const struct drawn *drawn)
 }
 
 static void paint(const struct oracle_state *state, const struct drawn *drawn,
-		  const struct place *centre, struct oracle_pixel *pixel)
+		  const struct oracle_place *centre, struct oracle_pixel *pixel)
 {
 	double value[5], moved[5];
 
@@ -218,8 +224,8 @@ static void paint(const struct oracle_state *state, const struct drawn *drawn,
 	memset(pixel->slack, 0, sizeof(pixel->slack));
 	for (int i = 0; i < 4 && drawn->cut; i++) {
 		/* Half of a sixteenth each way. */
-		const struct place beside = { .x = centre->x + (i & 1 ? 0.5 : -0.5),
-					      .y = centre->y + (i & 2 ? 0.5 : -0.5) };
+		const struct oracle_place beside = { .x = centre->x + (i & 1 ? 0.5 : -0.5),
+						     .y = centre->y + (i & 2 ? 0.5 : -0.5) };
 
 		values_at(state, drawn, &beside, moved);
 		for (int j = 0; j < 5; j++)
@@ -235,7 +241,8 @@ static void fill(const struct oracle_state *state, const struct drawn *drawn,
 
 	for (int i = 0; i < picture->width * picture->height; i++) {
 		int x = i % picture->width, y = i / picture->width;
-		struct place centre = { (x + 0.5) * ORACLE_ROUND, (y + 0.5) * ORACLE_ROUND, 0, 1 };
+		struct oracle_place centre = { (x + 0.5) * ORACLE_ROUND, (y + 0.5) * ORACLE_ROUND,
+					       0, 1 };
 		double inside;
 
 		if (x < v[0] || y < v[1] || x >= v[0] + v[2] || y >= v[1] + v[3])
@@ -253,7 +260,7 @@ static void fill(const struct oracle_state *state, const struct drawn *drawn,
 static double turn(const struct oracle_state *state, const struct oracle_corner *polygon,
 		   struct oracle_corner *turned, struct drawn *drawn, bool *doubt)
 {
-	struct place place[ORACLE_CORNERS];
+	struct oracle_place place[ORACLE_CORNERS];
 	double size;
 
 	for (int i = 0; i < drawn->corners; i++) {
@@ -278,7 +285,7 @@ void oracle_polygon(const struct oracle_state *state, const struct oracle_corner
 	struct drawn drawn = { .corner = turned, .corners = corners, .cut = cut || corners > 3 };
 	double size;
 
-	if (!corners)
+	if (corners < 3)
 		return;
 	size = turn(state, polygon, turned, &drawn, &picture->doubtful);
 	drawn.side = (size < 0) == state->front_clockwise ? ORACLE_FRONT : ORACLE_BACK;

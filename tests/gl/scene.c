@@ -134,6 +134,21 @@ static void set_planes(struct accel_state *state, const struct oracle_state *gl)
 	}
 }
 
+static void set_strokes(struct accel_state *state, const struct oracle_state *gl)
+{
+	const struct accel_line_style line = ACCEL_LINE_STYLE(.width = (float)gl->line_width,
+							      .stipple = (uint16_t)gl->stipple,
+							      .repeat = (uint16_t)
+										gl->stipple_repeat);
+	struct accel_point_style point = ACCEL_POINT_STYLE(.width = (float)gl->point_size,
+							   .least = (float)gl->point_least,
+							   .most = (float)gl->point_most);
+
+	floats(gl->point_attenuation, point.attenuation, 3);
+	assert_int_equal(accel_state_set_line_style(state, &line), 0);
+	assert_int_equal(accel_state_set_point_style(state, &point), 0);
+}
+
 static enum accel_tracks tracks_of(unsigned int follow)
 {
 	switch (follow) {
@@ -164,6 +179,7 @@ static void set_state(struct accel_state *state, const struct oracle_state *gl,
 
 	set_view(state, gl);
 	set_planes(state, gl);
+	set_strokes(state, gl);
 	set_material(state, gl);
 	set_lights(state, gl);
 	floats(gl->ambient, ambient, 4);
@@ -271,6 +287,8 @@ struct difference scene_compare(const struct drawing *drawing, const struct orac
 		bool drawn = drawing->depth[i] != DEPTH_ONE;
 
 		difference.covered += drawn || pixel->drawn;
+		if (pixel->either)
+			continue;
 		difference.coverage += drawn != pixel->drawn;
 		if (!drawn || !pixel->drawn)
 			continue;

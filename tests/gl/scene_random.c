@@ -87,14 +87,14 @@ static void random_light(uint64_t *seed, struct oracle_light *light)
 	scene_random_colour(seed, 0.2, light->ambient);
 	scene_random_colour(seed, 1, light->diffuse);
 	scene_random_colour(seed, 1, light->specular);
-	if (!point)
-		return;
-	for (int i = 0; i < 3; i++)
-		light->position[i] = (double)(float)(3 * light->position[i]);
-	light->position[3] = 1;
-	light->attenuation[0] = scene_between(seed, 0.5, 1);
-	light->attenuation[1] = scene_between(seed, 0, 0.5);
-	light->attenuation[2] = scene_between(seed, 0, 0.2);
+	if (point) {
+		for (int i = 0; i < 3; i++)
+			light->position[i] = (double)(float)(3 * light->position[i]);
+		light->position[3] = 1;
+		light->attenuation[0] = scene_between(seed, 0.5, 1);
+		light->attenuation[1] = scene_between(seed, 0, 0.5);
+		light->attenuation[2] = scene_between(seed, 0, 0.2);
+	}
 	if (test_below(seed, 2))
 		return;
 	light->spot_cutoff = scene_between(seed, 20, 90);
