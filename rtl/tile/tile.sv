@@ -111,8 +111,9 @@ module tile #(
   logic [31:0] load_colour, load_depth;
 
   // tile_store
-  logic store_read_en, store_moves, store_done, store_bank;
-  logic [RowBits-1:0] store_row;
+  logic [1:0] store_colour_en, store_depth_en;
+  logic store_done, store_bank;
+  logic [RowBits-1:0] store_row, store_free_row;
   logic colour_reads, colour_free, depth_reads, depth_free;
 
   // the banks
@@ -257,7 +258,7 @@ module tile #(
     .store_colour_free_i (colour_free),
     .store_depth_reads_i (depth_reads),
     .store_depth_free_i  (depth_free),
-    .store_row_i         (store_row)
+    .store_row_i         (store_free_row)
   );
 
   tile_write #(
@@ -310,10 +311,9 @@ module tile #(
       .draw_colour_i     (draw_colour),
       .draw_depth_i      (draw_depth),
       .draw_done_i       (end_i && end_bank_i == b),
-      .store_colour_en_i (store_read_en && !part_depth && store_bank == b),
-      .store_depth_en_i  (store_read_en && part_depth && store_bank == b),
+      .store_colour_en_i (store_colour_en[b]),
+      .store_depth_en_i  (store_depth_en[b]),
       .store_read_row_i  (store_row),
-      .store_moves_i     (store_moves),
       .store_done_i      (store_done && store_bank == b),
       .drawn_o           (drawn[b]),
       .stored_o          (stored[b]),
@@ -368,8 +368,8 @@ module tile #(
     .part_address_i    (part_address),
     .part_pitch_i      (part_pitch),
     .bank_stored_i     (stored[store_bank]),
-    .read_en_o         (store_read_en),
-    .moves_o           (store_moves),
+    .colour_en_o       (store_colour_en),
+    .depth_en_o        (store_depth_en),
     .row_o             (store_row),
     .bank_done_o       (store_done),
     .mark_i            (mark[store_bank*MarkBits+:MarkBits]),
@@ -379,6 +379,7 @@ module tile #(
     .depth_i           (depth[store_bank*Width+:Width]),
     .colour_mark_i     (colour_mark[store_bank*MarkBits+:MarkBits]),
     .depth_mark_i      (depth_mark[store_bank*MarkBits+:MarkBits]),
+    .free_row_o        (store_free_row),
     .colour_reads_o    (colour_reads),
     .colour_free_o     (colour_free),
     .depth_reads_o     (depth_reads),

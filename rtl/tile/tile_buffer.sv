@@ -6,10 +6,9 @@
 //
 // Each row of colour and of depth carries the mark it was written with; it belongs to the tile if
 // that is mark_o, else it stands for the clear value. Rows come from a register two clocks after
-// the read: block RAM's output is late, and its way to a reader is far. For tile_store they stay in
-// the RAM's output until store_moves_i, then in the register. A row of a part must not be read in
-// the clock it is written; so tile_store, behind which tile_load writes one part while it reads the
-// other, reads each by itself.
+// the read: block RAM's output is late, and its way to a reader is far. A row of a part must not be
+// read in the clock it is written; so tile_store, behind which tile_load writes one part while it
+// reads the other, reads each by itself.
 module tile_buffer #(
   parameter int unsigned Width = 32,
   parameter int unsigned MarkBits = 4,
@@ -44,7 +43,6 @@ module tile_buffer #(
   input  logic                store_colour_en_i,
   input  logic                store_depth_en_i,
   input  logic [RowBits-1:0]  store_read_row_i,
-  input  logic                store_moves_i,
   input  logic                store_done_i,
 
   output logic                drawn_o,
@@ -85,7 +83,7 @@ module tile_buffer #(
     .write_en_i  (memory_free_q ? load_colour_en_i : draw_write_en_i),
     .write_addr_i(write_row),
     .write_data_i(memory_free_q ? {load_colour_mark_i, load_data_i} : {mark_q, draw_colour_i}),
-    .read_en_i   (memory_free_q ? store_colour_en_i : draw_read_en_i),
+    .read_en_i   (store_colour_en_i || draw_read_en_i),
     .read_addr_i (read_row),
     .read_data_o ({colour_mark, colour})
   );
@@ -98,18 +96,16 @@ module tile_buffer #(
     .write_en_i  (memory_free_q ? load_depth_en_i : draw_write_en_i),
     .write_addr_i(write_row),
     .write_data_i(memory_free_q ? {load_depth_mark_i, load_data_i} : {mark_q, draw_depth_i}),
-    .read_en_i   (memory_free_q ? store_depth_en_i : draw_read_en_i),
+    .read_en_i   (store_depth_en_i || draw_read_en_i),
     .read_addr_i (read_row),
     .read_data_o ({depth_mark, depth})
   );
 
   always_ff @(posedge clk_i) begin
-    if (!memory_free_q || store_moves_i) begin
-      colour_o <= colour;
-      depth_o <= depth;
-      colour_mark_o <= colour_mark;
-      depth_mark_o <= depth_mark;
-    end
+    colour_o <= colour;
+    depth_o <= depth;
+    colour_mark_o <= colour_mark;
+    depth_mark_o <= depth_mark;
   end
 
   always_ff @(posedge clk_i) begin

@@ -66,9 +66,10 @@ module tile_load #(
   logic [RowBits-1:0] row_q;
   logic [31:0] colour_q, depth_q;
 
-  logic take, exhausted, colour_en, depth_en, write, last, data_valid;
+  logic take, exhausted, colour_en, depth_en, write, last;
   logic bank_free, behind, colour_free_q, depth_free_q;
-  logic [Width-1:0] data;
+  logic fifo_valid, fifo_ready, data_valid;
+  logic [Width-1:0] fifo_data, data;
 
   logic room;  // always: tile_fetch leaves room for all it asks for
 
@@ -81,6 +82,20 @@ module tile_load #(
     .valid_i(load_data_valid_i),
     .ready_o(room),
     .data_i (load_data_i),
+    .valid_o(fifo_valid),
+    .ready_i(fifo_ready),
+    .data_o (fifo_data)
+  );
+
+  // Whether a beat is taken is known late, and the FIFO's block RAM is far and wide.
+  stream_register #(
+    .Width(Width)
+  ) u_data (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(fifo_valid),
+    .ready_o(fifo_ready),
+    .data_i (fifo_data),
     .valid_o(data_valid),
     .ready_i(beat_taken_o),
     .data_o (data)
@@ -110,7 +125,6 @@ module tile_load #(
   assign plan_ready_o = state_q == Idle && (!exhausted || plan_colour_load_i || plan_depth_load_i);
 
   assign bank_o = bank_q;
-  assign mark_o = bank_mark_last_i ? MarkBits'(1) : bank_mark_i + 1'b1;
   assign colour_o = colour_q;
   assign depth_o = depth_q;
 
@@ -159,6 +173,8 @@ module tile_load #(
       depth_q <= plan_depth_i;
       depth_load_q <= plan_depth_load_i;
     end
+    // The bank's own stays until done_o, and a tile is not done or loaded so soon after that.
+    mark_o <= bank_mark_last_i ? MarkBits'(1) : bank_mark_i + 1'b1;
     row_o <= row_q;
     data_o <= data;
     colour_mark_o <= state_q == Colour ? mark_o : '0;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads tiles that are drawn, in stream order, colour before depth, and sends their rows to memory
 // or into the response stream, one row of K pixels a clock. A tile waits here until it is drawn and
-// its end is known; the bank is given back when its last row has been read. Four clocks from the
-// read to the output, the first two in the bank.
+// its end is known; the bank is given back when its last row has been read.
+//
+// What is read can not be stopped: a row has its place in the FIFO at the output before it is asked
+// for. So nothing leads from the output back to block RAM, which is far and wide. A row is at the
+// output six clocks after it was asked for: one to the bank, two in it.
 module tile_store #(
   parameter int unsigned TileSize = 64,
   parameter int unsigned PixelsPerClock = 1,
@@ -28,8 +31,8 @@ module tile_store #(
 
   // the bank of tile_o: see there
   input  logic                   bank_stored_i,
-  output logic                   read_en_o,
-  output logic                   moves_o,        // the row in the RAM's output, to the register
+  output logic [1:0]             colour_en_o,    // reads row_o, of bank 0, 1
+  output logic [1:0]             depth_en_o,
   output logic [RowBits-1:0]     row_o,
   output logic                   bank_done_o,
   input  logic [MarkBits-1:0]    mark_i,
@@ -40,8 +43,9 @@ module tile_store #(
   input  logic [MarkBits-1:0]    colour_mark_i,
   input  logic [MarkBits-1:0]    depth_mark_i,
 
-  // to tile_load: rows below row_o of the part that is read are free; a part that is gone is free
-  // wholly
+  // to tile_load: rows below free_row_o of the part that is read are free, a clock later; a part
+  // that is gone is free wholly
+  output logic [RowBits-1:0]     free_row_o,
   output logic                   colour_reads_o,
   output logic                   colour_free_o,
   output logic                   depth_reads_o,
@@ -63,6 +67,8 @@ module tile_store #(
   output logic                   store_data_last_o
 );
 
+  localparam int unsigned Places = 8;  // a row's way to the output and back is seven clocks
+  localparam int unsigned PlaceBits = $clog2(Places + 1);
   localparam int unsigned RowBeatsBits = $clog2(TileSize / PixelsPerClock);
 
   typedef enum logic [1:0] {Wait, Start, Read, Drain} state_e;
@@ -70,28 +76,38 @@ module tile_store #(
   state_e state_d, state_q;
   logic [3:0] tile_q;
   logic depth_q, answer_q;  // the part that is read, and where it goes
+  logic part_answer, turns; // where it is to go; that is not where rows are still going
   logic [RowBits-1:0] row_q;
-  logic row_first, row_last, part_last;
+  logic read_en, row_first, row_last, part_last;
   logic [1:0] part_output;
 
   logic store_valid_q;
   logic [AddressBits-1:0] address_q;
   logic [PitchBits-1:0] pitch_q;
 
-  // The row in the RAM's output, then both parts in the bank's register, where marks are compared,
-  // then the one that was chosen, then at the output, the clear value if that is what it is.
-  logic ram_valid_q, ram_depth_q, ram_answer_q, ram_last_q;
-  logic word_valid_q, word_is_depth_q, word_answer_q, word_last_q, word_moves;
+  // The row that is read, then in the RAM's output, then both parts in the bank's register, where
+  // marks are compared, then the one that was chosen, then in the FIFO, the clear value if that is
+  // what it is.
+  logic read_valid_q, read_is_depth_q, read_last_q;
+  logic ram_valid_q, ram_is_depth_q, ram_last_q;
+  logic word_valid_q, word_is_depth_q, word_last_q;
   logic [31:0] word_clear_q;
-  logic part_valid_q, part_answer_q, part_last_q, part_fresh_q, part_moves;
+  logic part_valid_q, part_last_q, part_fresh_q;
   logic [Width-1:0] part_q;
   logic [31:0] part_clear_q;
-  logic out_valid, out_ready, out_answer, out_last;
+
+  // The FIFO: all its rows are answers, or none is.
+  logic [Width:0] rows [Places];
+  logic [$clog2(Places)-1:0] head_q, tail_q;
+  logic [PlaceBits-1:0] taken_q, taken_d;  // places of it that are taken, and of these
+  logic [PlaceBits-1:0] filled_q, filled_d;
+  logic room_q, out_answer_q, out_store_q;
+  logic out_taken, out_last;
   logic [Width-1:0] out_word;
 
   assign tile_o = tile_q;
-  assign row_o = row_q;
   assign part_depth_o = depth_q;
+  assign free_row_o = row_q;
   assign part_output = depth_q ? depth_output_i : colour_output_i;
 
   assign colour_reads_o = state_q == Read && !depth_q;
@@ -100,13 +116,16 @@ module tile_store #(
   assign depth_free_o = state_q == Drain
       || (state_q != Wait && depth_output_i == gloss_pkg::TILE_OUTPUT_DROP);
 
+  assign part_answer = part_output == gloss_pkg::TILE_OUTPUT_ANSWER;
+  assign turns = part_answer != answer_q && taken_q != '0;
+
   assign row_first = row_q[RowBeatsBits-1:0] == '0;
   assign row_last = row_q[RowBeatsBits-1:0] == '1;
-  assign part_last = read_en_o && row_q == '1;
+  assign part_last = read_en && row_q == '1;
 
   always_comb begin
     state_d = state_q;
-    read_en_o = 1'b0;
+    read_en = 1'b0;
     bank_done_o = 1'b0;
 
     unique case (state_q)
@@ -119,18 +138,17 @@ module tile_store #(
       // The last address of the part before is still to be taken, or answers have to wait for what
       // was before them.
       Start: begin
-        if (!store_valid_q &&
-            (part_output != gloss_pkg::TILE_OUTPUT_ANSWER || done_i == tile_q)) state_d = Read;
+        if (!store_valid_q && !turns && (!part_answer || done_i == tile_q)) state_d = Read;
       end
       // An address is always out before its data, and the data do not wait for the address to be
       // taken.
       Read: begin
-        read_en_o = (!ram_valid_q || word_moves) && (!row_first || answer_q || !store_valid_q);
+        read_en = room_q && (!row_first || answer_q || !store_valid_q);
         if (part_last)
           state_d = !depth_q && depth_output_i != gloss_pkg::TILE_OUTPUT_DROP ? Start : Drain;
       end
       Drain: begin
-        bank_done_o = !ram_valid_q && !word_valid_q;
+        bank_done_o = !read_valid_q && !ram_valid_q && !word_valid_q;
         if (bank_done_o) state_d = Wait;
       end
       default: state_d = Wait;
@@ -146,7 +164,7 @@ module tile_store #(
     end else begin
       state_q <= state_d;
       if (bank_done_o) tile_q <= tile_q + 1'b1;
-      if (read_en_o) row_q <= row_q + 1'b1;
+      if (read_en) row_q <= row_q + 1'b1;
       if (state_q == Wait) depth_q <= colour_output_i == gloss_pkg::TILE_OUTPUT_DROP;
       else if (part_last) depth_q <= 1'b1;
     end
@@ -160,7 +178,7 @@ module tile_store #(
     if (state_q == Start && !store_valid_q) begin
       address_q <= part_address_i;
       pitch_q <= part_pitch_i;
-      answer_q <= part_output == gloss_pkg::TILE_OUTPUT_ANSWER;
+      if (!turns) answer_q <= part_answer;
     end else if (store_valid_q && store_ready_i) begin
       address_q <= address_q + AddressBits'(pitch_q);
     end
@@ -168,66 +186,75 @@ module tile_store #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) store_valid_q <= 1'b0;
-    else if (read_en_o && row_first && !answer_q) store_valid_q <= 1'b1;
+    else if (read_en && row_first && !answer_q) store_valid_q <= 1'b1;
     else if (store_ready_i) store_valid_q <= 1'b0;
   end
 
   // Rows.
-  assign part_moves = !part_valid_q || out_ready;
-  assign word_moves = !word_valid_q || part_moves;
-  assign moves_o = word_moves;
-
   always_ff @(posedge clk_i) begin
-    if (read_en_o) begin
-      ram_depth_q <= depth_q;
-      ram_answer_q <= answer_q;
-      ram_last_q <= row_last;
-    end
-    if (word_moves) begin
-      word_clear_q <= ram_depth_q ? clear_depth_i : clear_colour_i;
-      word_is_depth_q <= ram_depth_q;
-      word_answer_q <= ram_answer_q;
-      word_last_q <= ram_last_q;
-    end
-    if (part_moves) begin
-      part_q <= word_is_depth_q ? depth_i : colour_i;
-      part_fresh_q <= (word_is_depth_q ? depth_mark_i : colour_mark_i) == mark_i;
-      part_clear_q <= word_clear_q;
-      part_answer_q <= word_answer_q;
-      part_last_q <= word_last_q;
-    end
+    row_o <= row_q;
+    read_is_depth_q <= depth_q;
+    read_last_q <= row_last;
+
+    ram_is_depth_q <= read_is_depth_q;
+    ram_last_q <= read_last_q;
+
+    word_clear_q <= ram_is_depth_q ? clear_depth_i : clear_colour_i;
+    word_is_depth_q <= ram_is_depth_q;
+    word_last_q <= ram_last_q;
+
+    part_q <= word_is_depth_q ? depth_i : colour_i;
+    part_fresh_q <= (word_is_depth_q ? depth_mark_i : colour_mark_i) == mark_i;
+    part_clear_q <= word_clear_q;
+    part_last_q <= word_last_q;
+    if (part_valid_q)
+      rows[head_q] <= {part_last_q, part_fresh_q ? part_q : {PixelsPerClock{part_clear_q}}};
   end
+
+  assign {out_last, out_word} = rows[tail_q];
+  assign out_taken = (out_answer_q && response_ready_i) || (out_store_q && store_data_ready_i);
+  assign filled_d = filled_q + PlaceBits'(part_valid_q) - PlaceBits'(out_taken);
+  assign taken_d = taken_q + PlaceBits'(read_en) - PlaceBits'(out_taken);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
+      colour_en_o <= '0;
+      depth_en_o <= '0;
+      read_valid_q <= 1'b0;
       ram_valid_q <= 1'b0;
       word_valid_q <= 1'b0;
       part_valid_q <= 1'b0;
+      head_q <= '0;
+      tail_q <= '0;
+      filled_q <= '0;
+      taken_q <= '0;
+      room_q <= 1'b1;
+      out_answer_q <= 1'b0;
+      out_store_q <= 1'b0;
     end else begin
-      ram_valid_q <= read_en_o || (ram_valid_q && !word_moves);
-      word_valid_q <= word_moves ? ram_valid_q : 1'b1;
-      part_valid_q <= part_moves ? word_valid_q : 1'b1;
+      for (int b = 0; b < 2; b++) begin
+        colour_en_o[b] <= read_en && !depth_q && tile_q[0] == 1'(b);
+        depth_en_o[b] <= read_en && depth_q && tile_q[0] == 1'(b);
+      end
+      read_valid_q <= read_en;
+      ram_valid_q <= read_valid_q;
+      word_valid_q <= ram_valid_q;
+      part_valid_q <= word_valid_q;
+      if (part_valid_q) head_q <= head_q + 1'b1;
+      if (out_taken) tail_q <= tail_q + 1'b1;
+      filled_q <= filled_d;
+      taken_q <= taken_d;
+      room_q <= taken_d != PlaceBits'(Places);
+      out_answer_q <= filled_d != '0 && answer_q;
+      out_store_q <= filled_d != '0 && !answer_q;
     end
   end
 
-  stream_register #(
-    .Width(Width + 2)
-  ) u_out (
-    .clk_i  (clk_i),
-    .rst_ni (rst_ni),
-    .valid_i(part_valid_q),
-    .ready_o(out_ready),
-    .data_i ({part_answer_q, part_last_q, part_fresh_q ? part_q : {PixelsPerClock{part_clear_q}}}),
-    .valid_o(out_valid),
-    .ready_i(out_answer ? response_ready_i : store_data_ready_i),
-    .data_o ({out_answer, out_last, out_word})
-  );
-
-  assign response_valid_o = out_valid && out_answer;
+  assign response_valid_o = out_answer_q;
   assign response_data_o = out_word;
   assign row_answered_o = response_valid_o && response_ready_i && out_last;
 
-  assign store_data_valid_o = out_valid && !out_answer;
+  assign store_data_valid_o = out_store_q;
   assign store_data_o = out_word;
   assign store_data_last_o = out_last;
 
@@ -248,6 +275,7 @@ module tile_store #(
 
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
+      rows_have_places: assert (filled_q != PlaceBits'(Places) || !part_valid_q);
       address_before_data: assert (!store_data_valid_o || ahead_q != '0 ||
                                    (store_valid_o && !offered_q));
     end
