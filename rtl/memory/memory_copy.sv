@@ -50,6 +50,7 @@ module memory_copy #(
   typedef enum logic [1:0] {Idle, Start, Run} state_e;
 
   state_e state_d, state_q;
+  logic idle_q;                    // drives the ways to and from AXI's data, which are many
   gloss_pkg::copy_op_t op_q;
   logic [BeatBits-1:0] last_beat;
 
@@ -61,9 +62,12 @@ module memory_copy #(
   logic write_busy, read_busy;
   logic word_valid, word_ready;
   logic [31:0] word;
+  logic beat_valid, beat_ready, beat_last, beat_out;
+  logic [4*PixelsPerClock-1:0] beat_strobe;
+  logic [Width-1:0] beat;
 
-  assign copy_ready_o = state_q == Idle;
-  assign copy_idle_o = state_q == Idle;
+  assign copy_ready_o = idle_q;
+  assign copy_idle_o = idle_q;
   assign last_beat = BeatBits'((op_q.address[31:2] + 30'(op_q.words) - 30'd1) >> LaneBits);
 
   assign write_valid_o = burst_valid && op_q.write && ahead_q != AheadMax;
@@ -80,7 +84,10 @@ module memory_copy #(
     unique case (state_q)
       Idle: if (copy_valid_i) state_d = Start;
       Start: state_d = Run;
-      Run: if (!burst_valid && !write_busy && !read_busy && unacknowledged_q == '0) state_d = Idle;
+      Run: begin
+        if (!burst_valid && !write_busy && !beat_out && !read_busy && unacknowledged_q == '0)
+          state_d = Idle;
+      end
       default: state_d = Idle;
     endcase
   end
@@ -92,10 +99,12 @@ module memory_copy #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       state_q <= Idle;
+      idle_q <= 1'b1;
       ahead_q <= '0;
       unacknowledged_q <= '0;
     end else begin
       state_q <= state_d;
+      idle_q <= state_d == Idle;
       ahead_q <= ahead_q + 3'(write_address_taken) - 3'(write_burst_taken);
       unacknowledged_q <= unacknowledged_q + 13'(write_address_taken) - 13'(write_done_i);
     end
@@ -133,22 +142,37 @@ module memory_copy #(
   memory_copy_write #(
     .PixelsPerClock(PixelsPerClock)
   ) u_write (
-    .clk_i      (clk_i),
-    .rst_ni     (rst_ni),
-    .start_i    (state_q == Start && op_q.write),
-    .word_i     (op_q.address[8:2]),
-    .words_i    (op_q.words),
-    .busy_o     (write_busy),
-    .valid_i    (word_valid),
-    .ready_o    (word_ready),
-    .data_i     (word),
-    .addressed_i(write_addressed),
-    .valid_o    (write_data_valid_o),
-    .ready_i    (write_data_ready_i),
-    .data_o     (write_data_o),
-    .strobe_o   (write_strobe_o),
-    .last_o     (write_last_o)
+    .clk_i   (clk_i),
+    .rst_ni  (rst_ni),
+    .start_i (state_q == Start && op_q.write),
+    .word_i  (op_q.address[8:2]),
+    .words_i (op_q.words),
+    .busy_o  (write_busy),
+    .valid_i (word_valid),
+    .ready_o (word_ready),
+    .data_i  (word),
+    .valid_o (beat_valid),
+    .ready_i (beat_ready),
+    .data_o  (beat),
+    .strobe_o(beat_strobe),
+    .last_o  (beat_last)
   );
+
+  // The same for AXI's ready and the registers in which beats are gathered.
+  stream_register #(
+    .Width(1 + 4 * PixelsPerClock + Width)
+  ) u_beat (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(beat_valid),
+    .ready_o(beat_ready),
+    .data_i ({beat_last, beat_strobe, beat}),
+    .valid_o(beat_out),
+    .ready_i(write_data_ready_i && write_addressed),
+    .data_o ({write_last_o, write_strobe_o, write_data_o})
+  );
+
+  assign write_data_valid_o = beat_out && write_addressed;
 
   memory_copy_read #(
     .PixelsPerClock(PixelsPerClock)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives the words of a read on: a beat each time, count_o words of it from the lowest. Only the
 // first beat may begin with words that were not asked for; it is shifted down, a word a clock.
+// A register stands between these words and who takes them, for they are many.
 module memory_copy_read #(
   parameter int unsigned PixelsPerClock = 1,
   localparam int unsigned Width = 32 * PixelsPerClock
@@ -33,20 +34,33 @@ module memory_copy_read #(
   logic [3:0] room_q;    // words of the beat that may be given
   logic [Width-1:0] data_q;
   logic [2:0] first_lane;
-  logic take, give;
+  logic [3:0] count;
+  logic take, give, whole, out_ready;
 
   assign first_lane = word_i & LastLane;
-  assign busy_o = words_q != '0;
+  assign busy_o = words_q != '0 || valid_o;
   assign ready_o = !full_q || give;
-  assign valid_o = full_q && shift_q == '0;
-  assign count_o = words_q < 16'(room_q) ? words_q[3:0] : room_q;
-  assign data_o = data_q;
+  assign whole = full_q && shift_q == '0;
+  assign count = words_q < 16'(room_q) ? words_q[3:0] : room_q;
   assign take = valid_i && ready_o;
-  assign give = valid_o && ready_i;
+  assign give = whole && out_ready;
+
+  stream_register #(
+    .Width(4 + Width)
+  ) u_out (
+    .clk_i  (clk_i),
+    .rst_ni (rst_ni),
+    .valid_i(whole),
+    .ready_o(out_ready),
+    .data_i ({count, data_q}),
+    .valid_o(valid_o),
+    .ready_i(ready_i),
+    .data_o ({count_o, data_o})
+  );
 
   always_ff @(posedge clk_i) begin
-    if (take) data_q <= data_i;
-    else if (full_q && shift_q != '0) data_q <= Width'({32'd0, data_q} >> 32);
+    if (ready_o) data_q <= data_i;
+    else if (shift_q != '0) data_q <= Width'({32'd0, data_q} >> 32);
 
     if (start_i) room_q <= 4'(PixelsPerClock) - 4'(first_lane);
     else if (give) room_q <= 4'(PixelsPerClock);
@@ -61,7 +75,7 @@ module memory_copy_read #(
       full_q <= 1'b0;
     end else begin
       if (start_i) words_q <= words_i;
-      else if (give) words_q <= words_q - 16'(count_o);
+      else if (give) words_q <= words_q - 16'(count);
       full_q <= take || (full_q && !give);
     end
   end

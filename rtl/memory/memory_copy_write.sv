@@ -20,7 +20,6 @@ module memory_copy_write #(
   input  logic [31:0]                 data_i,
 
   // beats
-  input  logic                        addressed_i,  // the address of the next beat's burst is out
   output logic                        valid_o,
   input  logic                        ready_i,
   output logic [Width-1:0]            data_o,
@@ -45,7 +44,7 @@ module memory_copy_write #(
 
   assign busy_o = words_q != '0 || full_q;
   assign ready_o = words_q != '0 && (!full_q || give);
-  assign valid_o = full_q && addressed_i;
+  assign valid_o = full_q;
   assign data_o = data_q;
   assign last_o = last_q;
   assign take = valid_i && ready_o;
