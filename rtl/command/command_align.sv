@@ -2,7 +2,7 @@
 // Beats to words: shows the next StreamBits/32 words of the job at whatever word they start, and
 // counts the words left. A beat is fetched only if the job has words in it, so the next job's wait;
 // what is left over of a job's last beat is forgotten at the next start. From the port to words_o a
-// beat takes one clock, with several words a beat two.
+// beat takes one clock, with several words a beat two or three.
 module command_align #(
   parameter int unsigned StreamBits = 32
 ) (
@@ -78,20 +78,24 @@ module command_align #(
   end else begin : gen_window
     localparam int unsigned LaneBits = $clog2(Lanes);
     localparam logic [Lanes:0] More = {(Lanes+1){1'b1}};  // than Lanes
-    localparam logic [Lanes:0] Whole = {1'b0, {Lanes{1'b1}}};
 
-    logic [StreamBits-1:0] first_q; // words_o starts in it and ends in beat
-    logic                  full_q;
-    logic [LaneBits-1:0]   skip_q;  // words of it that were taken
+    // words_o starts in the first beat or the second and ends in the input's at the latest. What is
+    // taken moves skip_q at once, and beats a clock later: so take_i, which is known late, enables
+    // no wide register, nor the stream's port.
+    logic [StreamBits-1:0]  first_q, second_q;
+    logic                   first_full_q, second_full_q;
+    logic [LaneBits:0]      skip_q;    // words of the two that were taken
+    logic [32-LaneBits:0]   wanted_q;  // beats of the job that are still to be taken
+    logic                   needed_q;  // there are some
     // Numbers of words as masks, a bit for each word up to Lanes, one more in few: the least of two
     // is their conjunction, and there is no carry on the way from have_o to take_i and back.
-    logic [Lanes:0]        first, some, few, have;
-    logic [LaneBits:0]     skip_sum;
-    logic                  spent, needed;
-    logic [Lanes-1:0]      is_small, small_q;  // found out before the words are shifted
+    logic [Lanes:0]         some, few, have;
+    logic                   third, spent, move;
+    logic [Lanes-1:0]       is_small, first_small_q, second_small_q;
 
-    assign first = full_q ? Whole >> skip_q : '0;
-    assign some = full_q && beat_valid ? Whole : first;
+    assign third = second_full_q && beat_valid && needed_q;
+    assign some = {1'b0, Lanes'({{Lanes{third}}, {Lanes{second_full_q}}, {Lanes{first_full_q}}}
+                                >> skip_q)};
     assign few = ample_q || |few_q[CountBits+1:CountBits] ? More : ~(More << few_q[CountBits-1:0]);
     assign have = some & few;
     assign whole_o = (few & ~some) == '0;
@@ -101,36 +105,51 @@ module command_align #(
       for (int n = 0; n < Lanes; n++) if (have[n] && !have[n+1]) have_o = CountBits'(n + 1);
     end
 
-    assign words_o = StreamBits'({beat, first_q} >> {skip_q, 5'b0});
+    assign words_o = StreamBits'({beat, second_q, first_q} >> {skip_q, 5'b0});
 
-    assign skip_sum = {1'b0, skip_q} + (LaneBits+1)'(take_i);
-    assign spent = skip_sum[LaneBits];
-    assign needed = (few & ~first) != '0;
-    assign beat_ready = needed && (!full_q || spent);
+    assign spent = skip_q[LaneBits];
+    assign beat_ready = needed_q && (!second_full_q || spent);
+    assign move = beat_valid && beat_ready;
 
+    // Found out before the words are shifted.
     for (genvar l = 0; l < Lanes; l++) begin : gen_small
       assign is_small[l] = beat[32*l+24 +: 8] == gloss_pkg::OP_TRIANGLE_SMALL;
     end
-    assign small_o = small_q[skip_q];
+    assign small_o = 1'({second_small_q, first_small_q} >> skip_q);
 
     always_ff @(posedge clk_i) begin
-      if (beat_ready) begin
-        first_q <= beat;
-        small_q <= is_small;
+      if (!first_full_q || spent) begin
+        first_q <= second_full_q ? second_q : beat;
+        first_small_q <= second_full_q ? second_small_q : is_small;
+      end
+      if (!second_full_q || spent) begin
+        second_q <= beat;
+        second_small_q <= is_small;
       end
     end
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) begin
-        full_q <= 1'b0;
+        first_full_q <= 1'b0;
+        second_full_q <= 1'b0;
         skip_q <= '0;
+        wanted_q <= '0;
+        needed_q <= 1'b0;
       end else if (start_i) begin
-        full_q <= 1'b0;
+        first_full_q <= 1'b0;
+        second_full_q <= 1'b0;
         skip_q <= '0;
+        wanted_q <= (33-LaneBits)'(({1'b0, words_i} + 33'(Lanes - 1)) >> LaneBits);
+        needed_q <= words_i != '0;
       end else begin
-        if (beat_valid && beat_ready) full_q <= 1'b1;
-        else if (spent) full_q <= 1'b0;
-        skip_q <= skip_sum[LaneBits-1:0];
+        if (!first_full_q || (spent && !second_full_q)) first_full_q <= move;
+        if (spent || (first_full_q && !second_full_q)) second_full_q <= move && (second_full_q ||
+                                                                                 !spent);
+        skip_q <= {1'b0, skip_q[LaneBits-1:0]} + (LaneBits+1)'(take_i);
+        if (move) begin
+          wanted_q <= wanted_q - 1'b1;
+          needed_q <= wanted_q != (33-LaneBits)'(1);
+        end
       end
     end
   end

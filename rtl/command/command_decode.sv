@@ -93,7 +93,7 @@ module command_decode #(
   logic                 go_q;               // a record was taken whole, and no op after it
 
   logic [CountBits-1:0] take, take_q;
-  logic                 header_take, row_take, have_row, head_full;
+  logic                 header_take, row_take, have_row, head_full, row_free;
   logic                 header_check_q, row_check_q;
 
   logic [3:0]           header_fault;
@@ -266,8 +266,13 @@ module command_decode #(
   assign status_cause_o = cause_q;
   assign status_offset_o = offset_q;
 
+  // Of triangles it has whatever comes next, taken or not, as soon as the row before is sent: all
+  // that is decided about a word would stand before its many enables.
+  assign row_free = state_q == Header || state_q == Triangle ? op_ready
+                                                             : state_q == Packet && packet_take_i;
+
   always_ff @(posedge clk_i) begin
-    if (take != '0) row_q <= words_i;
+    if (row_free) row_q <= words_i;
     if (header_take) header_q <= words_i[31:0];
   end
 
