@@ -34,6 +34,7 @@ package gloss_pkg;
   localparam logic [2:0] PART_SMALL_ROWS = 3'd6;
   localparam logic [2:0] PART_NONE = 3'd7;
   localparam int unsigned SmallWords = 4;
+  localparam int unsigned PartRows = 18;           // of the longest part, with 32 bits a row
 
   // What a RENDER_STATE sets; data[31:0] is the word named here.
   localparam logic [2:0] STATE_DEPTH = 3'd0;    // header of DEPTH_STATE

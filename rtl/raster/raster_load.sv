@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Collects the rows of a triangle's record, whatever form it was sent in, and keeps the state that
-// triangles use. When an op with go comes, the record before it is offered to raster_walk and, a
-// clock later, a small one two, to raster_row: until then shade works at what it needs of the last
-// row. When both have copied it, rows of the next one are taken, one a clock, while this one is
-// drawn. The scissor is not copied: it changes when the walk is idle.
+// triangles use. When an op with go comes, the record before it is offered to raster_walk and, two
+// clocks later, to raster_row: until then shade works at what it needs of the last row. When both
+// have copied it, rows of the next one are taken, one a clock, while this one is drawn. The scissor
+// is not copied: it changes when the walk is idle.
 //
 // Shade may read the record in the clocks after row_take_i, and relies on this: depth and colours
 // do not change in the two clocks after it. So the next record's header comes a clock after it at
@@ -47,6 +47,7 @@ module raster_load #(
   // to raster_row
   output logic                    row_valid_o,
   input  logic                    row_take_i,
+  input  logic                    row_load_i, // what it takes is a record
   output logic                    end_o,      // not a record but a tile's end
   output logic [2:0]              anchor_o,   // x / 8
   output gloss_pkg::pixel_state_t state_o,
@@ -68,22 +69,21 @@ module raster_load #(
   logic                  held_q, header_q, set_q, end_q, scissor_held_q;
   logic [6:0]            part_q; // payload, by PART_*
   logic [2:0]            what_q; // STATE_*
-  logic [4:0]            row_q;
+  logic [gloss_pkg::PartRows-1:0] row_q;
   logic [StreamBits-1:0] data_q;
   logic                  bank_q;
 
-  logic                  walk_full_q, row_full_q, free, open, open_small;
-  logic [1:0]            row_fresh_q;  // clocks that raster_row has to wait
+  logic                  walk_full_q, walk_idle_q, row_full_q, free, open, open_small;
+  logic [1:0]            row_fresh_q;  // that raster_row has to wait for, one bit a clock
   logic                  take_header, take_go, take_set, take_end;
   logic [6:0]            take_part;
 
   // Each waits for no more than it has to, because what is decided here enables all fields of the
-  // record. Only a small record's header may come with row_take_i, which is known late; after a
-  // tile's end it need not come so early.
+  // record. Only a small record's header may come with row_load_i, which is known late.
   assign free = !walk_full_q && !row_full_q;
   assign open = free && !(part_q[gloss_pkg::PART_SMALL_ROWS] && listed_busy_i) &&
-                !(scissor_held_q && !walk_idle_i);
-  assign open_small = !walk_full_q && (!row_full_q || (row_take_i && !is_end_q));
+                !(scissor_held_q && !walk_idle_q);
+  assign open_small = !walk_full_q && (!row_full_q || row_load_i);
   assign ready_o = !held_q || (header_q && is_small ? open_small : open);
   assign idle_o = !held_q && !walk_full_q && !row_full_q;
   assign walk_valid_o = walk_full_q;
@@ -121,7 +121,7 @@ module raster_load #(
   always_ff @(posedge clk_i) begin
     if (ready_o) begin
       what_q <= op_i.part;
-      row_q <= op_i.row;
+      for (int r = 0; r < gloss_pkg::PartRows; r++) row_q[r] <= op_i.row == 5'(r);
       data_q <= data_i;
       bank_q <= bank_i;
     end
@@ -132,8 +132,10 @@ module raster_load #(
       walk_full_q <= 1'b0;
       row_full_q <= 1'b0;
       row_fresh_q <= '0;
+      walk_idle_q <= 1'b1;
     end else begin
-      row_fresh_q <= take_go ? {listed_q, 1'b1} : row_fresh_q >> 1;
+      walk_idle_q <= walk_idle_i && !walk_full_q;
+      row_fresh_q <= take_go ? 2'b11 : row_fresh_q >> 1;
       if (take_go) walk_full_q <= 1'b1;
       else if (walk_take_i) walk_full_q <= 1'b0;
       if (take_go || take_end) row_full_q <= 1'b1;
@@ -274,15 +276,13 @@ module raster_load #(
     .depth_o  (depth_o)
   );
 
-  // A part that is not sent is set at the colour part's first row.
-  logic set_constant, small_first_q;
+  // A part that is not sent is set a clock after the colour part's first row.
+  logic take_colour, set_constant_q;
 
-  always_ff @(posedge clk_i) begin
-    small_first_q <= take_part[gloss_pkg::PART_SMALL_COLOUR] && row_q == '0;
-  end
+  assign take_colour = take_part[gloss_pkg::PART_COLOUR] ||
+                       take_part[gloss_pkg::PART_SMALL_COLOUR];
 
-  assign set_constant = (take_part[gloss_pkg::PART_COLOUR] && row_q == '0 && !alpha_linear_q) ||
-                        small_first_q;
+  always_ff @(posedge clk_i) set_constant_q <= take_colour && row_q[0] && !alpha_linear_q;
 
   raster_load_alpha #(
     .StreamBits(StreamBits)
@@ -291,7 +291,7 @@ module raster_load #(
     .write_i   (take_part[gloss_pkg::PART_ALPHA]),
     .row_i     (row_q),
     .data_i    (data_q),
-    .set_i     (set_constant),
+    .set_i     (set_constant_q),
     .constant_i(alpha_constant_q),
     .alpha_o   (alpha_o),
     .dx_o      (alpha_dx_o),
@@ -301,7 +301,7 @@ module raster_load #(
   // The scale of a small record's slopes comes with the first of its colour's words.
   logic [1:0] slope_scale_q, slope_scale;
 
-  assign slope_scale = row_q == '0 ? data_q[31:30] : slope_scale_q;
+  assign slope_scale = row_q[0] ? data_q[31:30] : slope_scale_q;
 
   always_ff @(posedge clk_i) begin
     if (take_part[gloss_pkg::PART_SMALL_COLOUR]) slope_scale_q <= slope_scale;
@@ -316,8 +316,7 @@ module raster_load #(
       .Channel   (c)
     ) u_colour (
       .clk_i    (clk_i),
-      .write_i  (take_part[gloss_pkg::PART_COLOUR]),
-      .small_i  (take_part[gloss_pkg::PART_SMALL_COLOUR]),
+      .write_i  (take_colour),
       .listed_i (listed_q),
       .scale_i  (slope_scale),
       .row_i    (row_q),
@@ -347,7 +346,7 @@ module raster_load #(
           !(row_take_i || row_taken_q != '0));
       small_colour_a_clock_late: assert (!take_part[gloss_pkg::PART_SMALL_COLOUR] || !row_take_i);
       go_after_a_whole_record: assert (!take_go || !(walk_full_q || row_full_q || take_end));
-      alpha_set_once: assert (!(set_constant && take_part[gloss_pkg::PART_ALPHA]));
+      alpha_set_once: assert (!(set_constant_q && take_part[gloss_pkg::PART_ALPHA]));
     end
   end
 `endif

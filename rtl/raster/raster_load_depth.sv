@@ -10,7 +10,7 @@ module raster_load_depth #(
   // from raster_load
   input  logic                    write_i,
   input  logic                    small_i,
-  input  logic [4:0]              row_i,
+  input  logic [gloss_pkg::PartRows-1:0] row_i,
   input  logic [StreamBits-1:0]   data_i,
   input  logic                    compact_i,
 
@@ -28,8 +28,8 @@ module raster_load_depth #(
   logic         take_high, unused_high;
 
   assign high = data_i[32*(3%Lanes) +: 32];
-  assign take_high = write_i && row_i == 5'(3/Lanes);
-  assign unused_high = ^high;
+  assign take_high = write_i && row_i[3/Lanes];
+  assign unused_high = ^{high, row_i};
 
   // ---- small: what the words mean, kept for a clock ----
   logic                    take_small_z, take_small_slopes;
@@ -50,8 +50,8 @@ module raster_load_depth #(
   endfunction
 
   assign words = {data_i[32*(3%Lanes) +: 32], data_i[32*(2%Lanes) +: 32]};
-  assign take_small_z = small_i && row_i == 5'(2/Lanes);
-  assign take_small_slopes = small_i && row_i == 5'(3/Lanes);
+  assign take_small_z = small_i && row_i[2/Lanes];
+  assign take_small_slopes = small_i && row_i[3/Lanes];
 
   always_ff @(posedge clk_i) begin
     small_z_q <= {small_z_q[0], take_small_z};
@@ -72,7 +72,7 @@ module raster_load_depth #(
     logic [CoefficientBits-1:0] value_q;
 
     assign word = data_i[32*(n%Lanes) +: 32];
-    assign take = write_i && row_i == 5'(n/Lanes);
+    assign take = write_i && row_i[n/Lanes];
 
     assign take_small = n == 0 ? small_z_q[1] : small_slopes_q[1];
 

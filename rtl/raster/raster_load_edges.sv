@@ -11,7 +11,7 @@ module raster_load_edges #(
   // from raster_load
   input  logic                   clear_i,
   input  logic                   write_i,
-  input  logic [4:0]             row_i,
+  input  logic [gloss_pkg::PartRows-1:0] row_i,
   input  logic [StreamBits-1:0]  data_i,
   input  logic                   compact_i,
   input  logic                   small_i,   // pixels_i; beside clear_i, too
@@ -38,7 +38,7 @@ module raster_load_edges #(
   logic [63:0]                 rows_word;
 
   assign listed_left = 7'(pixels_i.x) + 7'(pixels_i.first_0);
-  assign unused_pixels = ^pixels_i;
+  assign unused_pixels = ^{pixels_i, row_i};
 
   // Left, right, middle: three words of a wide edge, two of a compact one. What else is in those
   // words is at the same bits in both forms: in the last word of a wide edge, in the second of a
@@ -53,9 +53,9 @@ module raster_load_edges #(
     assign compact_rmd = data_i[32*((2*e)%Lanes) +: 32];
     assign compact_x = data_i[32*((2*e+1)%Lanes) +: 32];
 
-    assign take_x = write_i && row_i == (compact_i ? 5'((2*e+1)/Lanes) : 5'((3*e)/Lanes));
-    assign take_rm = write_i && row_i == (compact_i ? 5'((2*e)/Lanes) : 5'((3*e+1)/Lanes));
-    assign take_dy = write_i && row_i == (compact_i ? 5'((2*e)/Lanes) : 5'((3*e+2)/Lanes));
+    assign take_x = write_i && (compact_i ? row_i[(2*e+1)/Lanes] : row_i[(3*e)/Lanes]);
+    assign take_rm = write_i && (compact_i ? row_i[(2*e)/Lanes] : row_i[(3*e+1)/Lanes]);
+    assign take_dy = write_i && (compact_i ? row_i[(2*e)/Lanes] : row_i[(3*e+2)/Lanes]);
 
     // no struct here: yosys does not find the members of one inside a generate block
     logic [12:0] x_q, step_q;

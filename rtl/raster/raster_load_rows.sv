@@ -9,7 +9,7 @@ module raster_load_rows #(
   // from raster_load
   input  logic                     head_i,      // PART_SMALL
   input  logic                     rows_i,      // PART_SMALL_ROWS; not with step_i
-  input  logic [4:0]               row_i,
+  input  logic [gloss_pkg::PartRows-1:0] row_i,
   input  logic [StreamBits-1:0]    data_i,
   output logic                     take_o,      // the second word is here: pixels_o
   output gloss_pkg::pixels_small_t pixels_o,
@@ -27,10 +27,10 @@ module raster_load_rows #(
   logic [8*Rows-1:0] rows_q;
   logic              unused;
 
-  assign take_o = head_i && row_i == 5'(1/Lanes);
+  assign take_o = head_i && row_i[1/Lanes];
   assign pixels_o = data_i[32*(1%Lanes) +: 32];
   assign next_row_o = rows_q[7:0];
-  assign unused = ^data_i;
+  assign unused = ^{data_i, row_i};
 
   always_ff @(posedge clk_i) begin
     if (take_o) begin
@@ -45,7 +45,7 @@ module raster_load_rows #(
     localparam int unsigned After = r == Rows - 1 ? r : r + 1;
 
     always_ff @(posedge clk_i) begin
-      if (rows_i && row_i == 5'(Word/Lanes))
+      if (rows_i && row_i[Word/Lanes])
         rows_q[8*r +: 8] <= data_i[32*(Word%Lanes) + 8*Byte +: 8];
       else if (step_i)
         rows_q[8*r +: 8] <= rows_q[8*After +: 8];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One channel of the colour part of a record. What a shading does not send is zero: the part's
 // first row clears all that it does not hold itself. A small record's differences are short numbers
-// with a scale; its value is in two parts, whole and fraction. They are worked out in the clock of
-// small_i and written in the next one.
+// with a scale; its value is in two parts, whole and fraction. What a row means is worked out in
+// the clock of write_i and written in the next one: the fields are many and lie far apart.
 module raster_load_surface #(
   parameter int unsigned StreamBits = 32,
   parameter int unsigned Channel = 0
@@ -11,10 +11,9 @@ module raster_load_surface #(
 
   // from raster_load
   input  logic                  write_i,
-  input  logic                  small_i,    // or a row of a small record's
-  input  logic                  listed_i,   // which it is, until the last row is written
+  input  logic                  listed_i,   // a row of a small record's
   input  logic [1:0]            scale_i,    // of its first differences
-  input  logic [4:0]            row_i,
+  input  logic [gloss_pkg::PartRows-1:0] row_i,
   input  logic [StreamBits-1:0] data_i,
   input  logic [1:0]            shading_i,
 
@@ -59,32 +58,22 @@ module raster_load_surface #(
   assign flat = shading_i == gloss_pkg::SHADING_FLAT;
   assign second = shading_i == gloss_pkg::SHADING_SECOND_ORDER;
 
-  // ---- small: what the row means ----
-  logic        small_q, first_q, slope_here_q, bend_here_q;
-  logic [9:0]  whole_q;
-  logic [7:0]  fraction_q;
-  logic [31:0] slope_word, bend_word;
-  logic [159:0] differences_q; // dx, dy, dxx, dxy, dyy, from the low bits on
+  // ---- small ----
+  logic         slope_here, bend_here;
+  logic [31:0]  slope_word, bend_word;
+  logic [31:0]  value;       // whole and fraction; the latter may be in a later row
+  logic [159:0] differences; // dx, dy, dxx, dxy, dyy, from the low bits on
 
+  assign slope_here = !flat && row_i[SlopeWord/Lanes];
+  assign bend_here = second && row_i[BendWord/Lanes];
   assign slope_word = data_i[32*(SlopeWord%Lanes) +: 32];
   assign bend_word = data_i[32*(BendWord%Lanes) +: 32];
-
-  always_ff @(posedge clk_i) begin
-    small_q <= small_i;
-    first_q <= row_i == '0;
-    slope_here_q <= !flat && row_i == 5'(SlopeWord / Lanes);
-    bend_here_q <= second && row_i == 5'(BendWord / Lanes);
-    whole_q <= flat ? {2'b0, data_i[8*Channel +: 8]} : data_i[10*Channel +: 10];
-    fraction_q <= slope_word[7:0];
-    differences_q <= {bend(bend_word[29:20], bend_word[31:30]),
-                      bend(bend_word[19:10], bend_word[31:30]),
-                      bend(bend_word[9:0], bend_word[31:30]),
-                      slope(slope_word[31:20], scale_i), slope(slope_word[19:8], scale_i)};
-  end
-
-  logic write, first;
-  assign write = write_i || small_q;
-  assign first = listed_i ? first_q : row_i == '0;
+  assign value = {flat ? {2'b0, data_i[8*Channel +: 8]} : data_i[10*Channel +: 10], 22'd0} |
+                 (slope_here ? 32'(slope_word[7:0]) << Unit : '0);
+  assign differences = {bend(bend_word[29:20], bend_word[31:30]),
+                        bend(bend_word[19:10], bend_word[31:30]),
+                        bend(bend_word[9:0], bend_word[31:30]),
+                        slope(slope_word[31:20], scale_i), slope(slope_word[19:8], scale_i)};
 
   for (genvar f = 0; f < 6; f++) begin : gen_field
     // Its words in the two longer forms; a plane has the first three only.
@@ -92,31 +81,44 @@ module raster_load_surface #(
     localparam int unsigned LinearWord = 3 * Channel + f;
 
     logic        here; // this row holds the field
-    logic [31:0] word, field_q;
+    logic [31:0] word, word_q, field_q;
+    logic        write_q;
 
     if (f < 3) begin : gen_plane
       logic        longer;
       logic [31:0] sent;
-      assign longer = row_i == (second ? 5'(SecondWord / Lanes) : 5'(LinearWord / Lanes));
+      assign longer = second ? row_i[SecondWord/Lanes] : row_i[LinearWord/Lanes];
       assign sent = second ? data_i[32*(SecondWord%Lanes) +: 32] :
                              data_i[32*(LinearWord%Lanes) +: 32];
       if (f == 0) begin : gen_value
-        assign here = listed_i ? first_q : flat ? row_i == '0 : longer;
-        assign word = listed_i ? {whole_q, 22'd0} :
+        assign here = listed_i || flat ? row_i[0] : longer;
+        assign word = listed_i ? value :
                       flat ? 32'(data_i[8*Channel +: 8]) << Fraction : sent;
       end else begin : gen_slope
-        assign here = listed_i ? slope_here_q : !flat && longer;
-        assign word = listed_i ? differences_q[32*(f-1) +: 32] : sent;
+        assign here = listed_i ? slope_here : !flat && longer;
+        assign word = listed_i ? differences[32*(f-1) +: 32] : sent;
       end
     end else begin : gen_bend
-      assign here = listed_i ? bend_here_q : second && row_i == 5'(SecondWord / Lanes);
-      assign word = listed_i ? differences_q[32*(f-1) +: 32] : data_i[32*(SecondWord%Lanes) +: 32];
+      assign here = listed_i ? bend_here : second && row_i[SecondWord/Lanes];
+      assign word = listed_i ? differences[32*(f-1) +: 32] : data_i[32*(SecondWord%Lanes) +: 32];
     end
 
     always_ff @(posedge clk_i) begin
-      if (write && (here || first)) field_q <= here ? word : '0;
-      // The fraction of a small record's value is in another word.
-      if (f == 0 && small_q && slope_here_q) field_q[Unit +: 8] <= fraction_q;
+      write_q <= write_i && (here || row_i[0]);
+      word_q <= here ? word : '0;
+    end
+
+    if (f == 0) begin : gen_fraction
+      logic       fraction_here_q;
+      logic [7:0] fraction_q;
+      always_ff @(posedge clk_i) begin
+        fraction_here_q <= write_i && listed_i && slope_here;
+        fraction_q <= listed_i || here ? word[Unit +: 8] : '0;
+        if (write_q) field_q <= word_q;
+        if (write_q || fraction_here_q) field_q[Unit +: 8] <= fraction_q;
+      end
+    end else begin : gen_whole
+      always_ff @(posedge clk_i) if (write_q) field_q <= word_q;
     end
 
     assign fields[32*(5-f) +: 32] = field_q;

@@ -23,6 +23,7 @@ module raster_row #(
   // from raster_load
   input  logic                      valid_i,      // a record, or a tile's end
   output logic                      take_o,
+  output logic                      load_o,       // it takes a record
   input  logic                      end_i,        // a tile's end; then only state_i.bank matters
   input  logic [XBits-1:0]          anchor_i,     // block
   input  logic [YBits-1:0]          first_row_i,
@@ -82,6 +83,7 @@ module raster_row #(
   assign aside = walking && !here;
 
   assign take_o = load || send_end;
+  assign load_o = load;
   assign span_ready_o = down;
 
   always_comb begin

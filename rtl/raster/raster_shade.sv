@@ -43,7 +43,8 @@ module raster_shade #(
   localparam int unsigned Latency = (PixelsPerClock == 1) ? 5 : 6 + $clog2(PixelsPerClock);
 
   // ---- records ----
-  logic                    walk_valid, walk_take, row_valid, row_take, row_end, covering, side;
+  logic                    walk_valid, walk_take, row_valid, row_take, row_load, row_end;
+  logic                    covering, side;
   logic                    listed, listed_step, listed_busy;
   logic [5:0]              listed_x;
   logic [15:0]             listed_rows;
@@ -90,6 +91,7 @@ module raster_shade #(
     .scissor_o    (scissor),
     .row_valid_o  (row_valid),
     .row_take_i   (row_take),
+    .row_load_i   (row_load),
     .end_o        (row_end),
     .anchor_o     (anchor),
     .state_o      (state),
@@ -162,6 +164,7 @@ module raster_shade #(
     .rst_ni       (rst_ni),
     .valid_i      (row_valid),
     .take_o       (row_take),
+    .load_o       (row_load),
     .end_i        (row_end),
     .anchor_i     (anchor_block),
     .first_row_i  (first_row),
