@@ -154,34 +154,52 @@ static int lines_draw_one(struct accel_lines *lines, const uint32_t index[2],
 	return accel_lines_put(lines, a, b, &vertex[1]);
 }
 
-/* The segment of elements @i and @j, if it can be drawn. */
-static int lines_segment(struct accel_lines *lines, const struct accel_walk *walk, uint32_t i,
-			 uint32_t j)
+/* Segments from one element to the next, or of pairs; those that can be drawn. */
+static int lines_run(struct accel_lines *lines, const struct accel_walk *walk,
+		     const uint32_t *element, int elements, bool pairs)
 {
 	struct accel_strokes *strokes = &lines->strokes;
+	bool good[ACCEL_BATCH] = { false };
+	int err = 0;
 
-	if (!accel_primitives_vertex(walk, i, &strokes->index[0]) ||
-	    !accel_primitives_vertex(walk, j, &strokes->index[1]))
-		return 0;
-	strokes->count = 2;
+	for (int i = 0; i < elements; i++) {
+		good[i] = accel_primitives_vertex(walk, element[i], &strokes->index[i]);
+		/* There is a vertex 0, which is fetched in its place. */
+		if (!good[i])
+			strokes->index[i] = 0;
+	}
+	strokes->count = elements;
 	accel_strokes_light(lines->pass, strokes);
-	return lines_draw_one(lines, strokes->index, strokes->vertex);
+	for (int i = 0; i + 1 < elements && !err; i += pairs ? 2 : 1) {
+		if (pairs)
+			lines->distance = 0;
+		if (good[i] && good[i + 1])
+			err = lines_draw_one(lines, &strokes->index[i], &strokes->vertex[i]);
+	}
+	return err;
 }
 
 static int lines_primitive(struct accel_lines *lines, const struct accel_walk *walk, uint32_t count)
 {
 	const enum accel_topology topology = walk->primitive->topology;
-	const uint32_t step = topology == ACCEL_TOPOLOGY_LINES ? 2 : 1;
+	const bool pairs = topology == ACCEL_TOPOLOGY_LINES;
+	uint32_t element[ACCEL_BATCH], first = 0;
 	int err = 0;
 
 	lines->distance = 0;
-	for (uint32_t i = 0; i + 1 < count && !err; i += step) {
-		if (topology == ACCEL_TOPOLOGY_LINES)
-			lines->distance = 0;
-		err = lines_segment(lines, walk, i, i + 1);
+	while (first + 1 < count && !err) {
+		const uint32_t some = count - first < ACCEL_BATCH ? count - first : ACCEL_BATCH;
+
+		for (uint32_t i = 0; i < some; i++)
+			element[i] = first + i;
+		err = lines_run(lines, walk, element, (int)some, pairs);
+		/* The last of a strip is the first of what follows. */
+		first += pairs || some < ACCEL_BATCH ? some : some - 1;
 	}
+	element[0] = count - 1;
+	element[1] = 0;
 	if (topology == ACCEL_TOPOLOGY_LINE_LOOP && count > 1 && !err)
-		err = lines_segment(lines, walk, count - 1, 0);
+		err = lines_run(lines, walk, element, 2, false);
 	return err;
 }
 

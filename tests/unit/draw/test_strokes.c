@@ -397,6 +397,41 @@ static void parts_of_no_pixel_are_many(void **state)
 	assert_int_equal(drawn(), 0);
 }
 
+/* Of any length, also where vertices of it are none. */
+static void a_long_strip_is_its_segments(void **state)
+{
+	enum { VERTICES = 200 };
+	static float strip[VERTICES + 1][2], pairs[2 * VERTICES][2];
+	static float colour[VERTICES + 1][4], of_pairs[2 * VERTICES][4];
+	static uint32_t wanted[SIDE * SIDE];
+	uint64_t seed = test_seed();
+
+	for (uint32_t count = 2; count <= VERTICES; count += count < 60 ? 29 : 1) {
+		for (uint32_t i = 0; i < count; i++) {
+			strip[i][0] = (float)test_below(&seed, 16 * SIDE) / 16;
+			strip[i][1] = test_below(&seed, 20) ?
+					      (float)test_below(&seed, 16 * SIDE) / 16 :
+					      NAN;
+			for (int j = 0; j < 4; j++)
+				colour[i][j] = (float)test_below(&seed, 256) / 255;
+		}
+		for (uint32_t i = 0; i < 2 * count; i++) {
+			const uint32_t of = (i / 2 + i % 2) % count;
+
+			memcpy(pairs[i], strip[of], sizeof(pairs[i]));
+			memcpy(of_pairs[i], colour[of], sizeof(of_pairs[i]));
+		}
+		for (uint32_t loop = 0; loop < 2; loop++) {
+			draw(*state, ACCEL_TOPOLOGY_LINES, (const float(*)[2])pairs,
+			     2 * (count - 1 + loop), (const float(*)[4])of_pairs);
+			memcpy(wanted, pixels, sizeof(wanted));
+			draw(*state, loop ? ACCEL_TOPOLOGY_LINE_LOOP : ACCEL_TOPOLOGY_LINE_STRIP,
+			     (const float(*)[2])strip, count, (const float(*)[4])colour);
+			assert_memory_equal(pixels, wanted, sizeof(wanted));
+		}
+	}
+}
+
 /* They have vertices and no triangle, and a group holds only so many. */
 static void segments_of_no_length_are_many(void **state)
 {
@@ -450,6 +485,7 @@ int main(void)
 		strokes_test(figures_are_drawn_in_the_order_of_the_call),
 		strokes_test(lines_are_lit_as_front_sides),
 		strokes_test(parts_of_no_pixel_are_many),
+		strokes_test(a_long_strip_is_its_segments),
 		strokes_test(segments_of_no_length_are_many),
 		strokes_test(styles_that_are_none_are_refused),
 	};
