@@ -199,30 +199,6 @@ static void emit_depth(const struct gloss_context *context, struct accel_state *
 		accel_state_set_depth(state, ACCEL_COMPARE_ALWAYS, false);
 }
 
-static void emit_tell(struct gloss_context *context)
-{
-	const struct gloss_attributes *attributes = &context->attributes;
-	bool textured = false;
-
-	for (int i = 0; i < GLOSS_UNITS; i++)
-		for (int j = 0; j < GLOSS_TEXTURE_KINDS; j++)
-			textured = textured || attributes->texturing.unit[i].enabled[j];
-	if (textured)
-		gloss_missing(context, GLOSS_MISSING_TEXTURE);
-	if (attributes->colour_buffer.blend)
-		gloss_missing(context, GLOSS_MISSING_BLEND);
-	if (attributes->colour_buffer.alpha_test)
-		gloss_missing(context, GLOSS_MISSING_ALPHA_TEST);
-	if (attributes->colour_buffer.logic)
-		gloss_missing(context, GLOSS_MISSING_LOGIC_OP);
-	if (attributes->stencil.test)
-		gloss_missing(context, GLOSS_MISSING_STENCIL);
-	if (attributes->fog.enabled)
-		gloss_missing(context, GLOSS_MISSING_FOG);
-	if (attributes->polygon.stipple)
-		gloss_missing(context, GLOSS_MISSING_POLYGON_STIPPLE);
-}
-
 static void emit_state(struct gloss_context *context)
 {
 	struct accel_state *state = context->state;
@@ -243,9 +219,9 @@ static void emit_state(struct gloss_context *context)
 	if (dirty & GLOSS_DIRTY_FRAGMENT) {
 		emit_colour_mask(context, state, true);
 		emit_depth(context, state);
-		if (context->tell)
-			emit_tell(context);
 	}
+	if (context->tell)
+		gloss_missing_tell(context);
 	context->dirty = 0;
 }
 

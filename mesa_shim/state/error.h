@@ -20,9 +20,17 @@ enum gloss_missing {
 	GLOSS_MISSING_FOG,
 	GLOSS_MISSING_LOGIC_OP,
 	GLOSS_MISSING_POLYGON_STIPPLE,
+	GLOSS_MISSING_COLOUR_SUM,
+	GLOSS_MISSING_SEPARATE_SPECULAR,
+	GLOSS_MISSING_SMOOTH_POINT,
+	GLOSS_MISSING_SMOOTH_LINE,
+	GLOSS_MISSING_SMOOTH_POLYGON,
+	GLOSS_MISSING_FRONT,
 	GLOSS_MISSING_DRAW,
 	GLOSS_MISSING_COUNT
 };
 void gloss_missing(struct gloss_context *context, enum gloss_missing what);
+/* The same of all that the state asks for. */
+void gloss_missing_tell(struct gloss_context *context);
 
 #endif

@@ -7,7 +7,7 @@ GL_RUN = env LD_LIBRARY_PATH=$(abspath $(GL_FOLDER)) __GLX_VENDOR_LIBRARY_NAME=g
 	GLOSS_CONFIG=/dev/null vblank_mode=0
 
 GL_SCENE_TESTS := $(addprefix test_gl_, draw polygon array array_random list light pixel get share)
-GL_SCENE_TESTS += $(addprefix test_gl_, texture texture_state draw_pixels evaluator select)
+GL_SCENE_TESTS += $(addprefix test_gl_, texture texture_state draw_pixels evaluator select perf)
 GL_EGL_TESTS := test_egl test_egl_context test_gl_state test_gl_api $(GL_SCENE_TESTS)
 GL_THREAD_TESTS := test_egl_context test_gl_draw test_gl_share
 GL_TESTS := $(GL_EGL_TESTS) test_glx
