@@ -117,8 +117,8 @@ int accel_draw_clear_masked(struct accel_draw *draw, const struct accel_state *s
 			    const struct accel_clear *given)
 {
 	static const bool none[4];
+	struct accel_tile_clear clear = { .mask = 0 };
 	struct accel_tile_state tests;
-	struct accel_tile_clear clear;
 	struct accel_bounds box;
 	int err = accel_draw_check_begun(draw, "a clear");
 
