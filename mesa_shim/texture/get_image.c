@@ -109,6 +109,13 @@ static GLenum get_image_error(const struct gloss_texture_image *image, GLenum fo
 								      GL_INVALID_OPERATION;
 }
 
+/* A luminance that is asked for is red alone, and no sum as of glReadPixels. */
+static void get_red(const struct gloss_pixel_format *format, float (*row)[4], GLsizei count)
+{
+	for (GLsizei x = 0; format->luminance && x < count; x++)
+		row[x][1] = row[x][2] = 0;
+}
+
 static void get_rows(struct gloss_context *context, const struct gloss_texture_image *image,
 		     const struct gloss_pixels *pixels, GLenum format)
 {
@@ -124,6 +131,7 @@ static void get_rows(struct gloss_context *context, const struct gloss_texture_i
 			for (GLsizei x = 0; x < width; x++)
 				gloss_texture_format_unpack(image->format, texel[x], row[x]);
 			gloss_transfer_pixels(context, format, row, (size_t)width);
+			get_red(&pixels->format, row, width);
 			gloss_pixels_put(pixels, y, z, (const float(*)[4])row);
 		}
 	free(row);

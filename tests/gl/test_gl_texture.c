@@ -51,6 +51,18 @@ static void a_base_format_keeps_its_components(void **state)
 	}
 }
 
+static void a_luminance_that_is_asked_for_is_red(void **state)
+{
+	static const uint8_t given[4] = { 10, 20, 30, 40 };
+	uint8_t back[2] = { 0, 0 };
+
+	(void)state;
+	glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, given);
+	glGetTexImage(GL_TEXTURE_2D, 0, GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, back);
+	assert_int_equal(back[0], 10);
+	assert_int_equal(back[1], 40);
+}
+
 static void images_are_unpacked_as_they_lie(void **state)
 {
 	static const GLushort packed[2] = { 0xf800, 0x001f }; /* red, blue */
@@ -352,6 +364,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		TEST(a_base_format_keeps_its_components),
+		TEST(a_luminance_that_is_asked_for_is_red),
 		TEST(images_are_unpacked_as_they_lie),
 		TEST(an_image_of_three_dimensions_has_slices),
 		TEST(a_cube_has_six_faces),
