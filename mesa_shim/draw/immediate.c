@@ -5,6 +5,12 @@
 #include "draw/batch.h"
 #include "state/command.h"
 
+static void play_invalid_mode(struct gloss_context *context, const void *call)
+{
+	(void)call;
+	gloss_error(context, GL_INVALID_ENUM);
+}
+
 void gl_Begin(GLenum mode)
 {
 	struct gloss_context *context = gloss_current();
@@ -14,7 +20,9 @@ void gl_Begin(GLenum mode)
 		return;
 	vertices = context->vertices;
 	if (mode > GL_POLYGON) {
-		gloss_error(context, GL_INVALID_ENUM);
+		/* In a list it is an error each time that the list is played. */
+		if (gloss_listed_inside(play_invalid_mode, NULL, 0))
+			gloss_error(context, GL_INVALID_ENUM);
 		return;
 	}
 	if (vertices->inside) {

@@ -89,12 +89,13 @@ void gl_EndList(void)
 
 	if (!context)
 		return;
+	/* What was executed on the way may have begun a primitive. */
+	gloss_list_settle(context);
 	compiling = &context->compiling;
 	if (!compiling->list || context->immediate.inside) {
 		gloss_error(context, GL_INVALID_OPERATION);
 		return;
 	}
-	gloss_list_settle(context);
 	if (list_name(context->shared, (GLuint)compiling->name, compiling->list))
 		compiling->list = NULL;
 	else

@@ -52,6 +52,29 @@ static void compile_and_execute_draws_once(void **state)
 	assert_int_equal(gl_pixel(20, 4), RED);
 }
 
+static void errors_come_when_a_list_is_played(void **state)
+{
+	(void)state;
+	glNewList(1, GL_COMPILE);
+	glBegin(GL_POLYGON + 1);
+	glEndList();
+	assert_int_equal(glGetError(), GL_NO_ERROR);
+	glCallList(1);
+	assert_int_equal(glGetError(), GL_INVALID_ENUM);
+	/* A list that is executed does not end within a primitive. */
+	glNewList(2, GL_COMPILE_AND_EXECUTE);
+	glBegin(GL_QUADS);
+	glEndList();
+	square_corners(0, 0);
+	glEnd();
+	assert_int_equal(glGetError(), GL_INVALID_OPERATION);
+	glEndList();
+	assert_int_equal(gl_pixel(4, 4), WHITE);
+	gl_clear(BLACK);
+	glCallList(2);
+	assert_int_equal(gl_pixel(4, 4), WHITE);
+}
+
 static void a_list_may_be_part_of_a_primitive(void **state)
 {
 	(void)state;
@@ -281,6 +304,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		TEST(a_list_is_drawn_as_it_was_compiled),
 		TEST(compile_and_execute_draws_once),
+		TEST(errors_come_when_a_list_is_played),
 		TEST(a_list_may_be_part_of_a_primitive),
 		TEST(a_list_keeps_colours_after_leftovers),
 		TEST(lists_are_called_by_base_and_bytes),
