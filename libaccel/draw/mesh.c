@@ -90,6 +90,12 @@ static int mesh_visible_side(const struct accel_pass *pass, int64_t area)
 	return back && accel_pass_sides(pass);
 }
 
+/* Nothing else of it is looked at then. */
+static void mesh_see_none(struct accel_seen *seen)
+{
+	seen->count = 0;
+}
+
 void accel_mesh_see(struct accel_seen *seen, const struct accel_point *const point[3],
 		    const uint32_t vertex[3], uint32_t flat, int side)
 {
@@ -147,7 +153,7 @@ static void mesh_put_fan(struct accel_pass *pass, struct accel_corner *polygon, 
 	uint32_t number[ACCEL_POLYGON_MAX], of_flat;
 	struct accel_seen fan;
 
-	fan.count = 0;
+	mesh_see_none(&fan);
 	for (int i = 0; i < corners; i++) {
 		accel_shading_vertex(pass, &polygon[i].vertex, side);
 		number[i] = accel_group_vertex(pass->group, side);
@@ -357,7 +363,7 @@ int accel_mesh_draw(struct accel_pass *pass, uint64_t first, uint64_t end)
 	uint64_t i = first;
 	int err = 0;
 
-	seen.count = 0;
+	mesh_see_none(&seen);
 	if (first < end)
 		accel_primitives_begin(&walk, pass, first);
 	while (i < end && !err) {
