@@ -15,7 +15,7 @@ $(GL_PRELOADS): $(BUILD)/tests/gl/%.so: tests/gl/%.c
 	$(Q)$(CC) $(ACCEL_CFLAGS) -D_GNU_SOURCE -fPIC -shared $< -lX11 -o $@
 $(BUILD)/tests/gl/gl_shot: private LIBS := -lX11
 GL_DRAWING := $(GL_FILES) $(BUILD)/tests/gl/gl_shot $(GL_PRELOADS)
-GL_DRAWERS := gl-gears gl-demo gl-picture gl-devices bench-gl
+GL_DRAWERS := gl-gears gl-demo gl-picture gl-hacks gl-hacks-some gl-devices bench-gl
 $(GL_DRAWERS): export VENDOR := $(abspath $(GL_FOLDER))
 $(GL_DRAWERS): export TOOLS := $(abspath $(BUILD)/tests/gl)
 
@@ -35,6 +35,16 @@ gl-demo: $(GL_DRAWING) $(BUILD)/examples/teapot ## glxgears and a teapot, Gourau
 gl-picture: $(GL_DRAWING) $(BUILD)/examples/teapot
 	$(Q)tests/gl/with_xvfb 24 tests/gl/demo --write docs/pictures/opengl.png $(BUILD)/gl-demo
 
+# Screen savers without textures, and mesa-utils' programs. The table says how near they are.
+GL_HACKS = tests/gl/with_xvfb 24 tests/gl/hacks
+GL_HACKS_SOME := glxgears glxheads jigglypuff morph3d pipes sierpinski3d
+gl-hacks: $(GL_DRAWING) ## 300 frames of some thirty programs, as softpipe draws them
+	$(Q)$(GL_HACKS) tests/gl/hacks.txt $(BUILD)/gl-hacks
+
+gl-hacks-some: $(GL_DRAWING) ## 30 frames of some of them
+	$(call quiet,TEST,$@)
+	$(Q)$(GL_HACKS) --frames 30 tests/gl/hacks.txt $(BUILD)/gl-hacks $(GL_HACKS_SOME)
+
 # The RTL; boards on PCI and USB are tests/vm/test_gl.sh's.
 gl-devices: $(GL_DRAWING) $(SIM_DIR)/accel-sim-t64-k8.so ## a screen saver draws the same on the Verilated core
 	$(call quiet,TEST,$@)
@@ -45,7 +55,7 @@ bench-gl: $(GL_DRAWING) ## glxgears, frames a processor second against Mesa's dr
 	$(Q)$(call keep_figures,gl,tests/gl/with_xvfb 24 tests/gl/bench $(SHORT_OPTION))
 
 ifneq ($(GL_FOUND),)
-CHECKS += gl-programs gl-gears gl-demo gl-devices
+CHECKS += gl-programs gl-gears gl-demo gl-hacks-some gl-devices
 BENCHES += bench-gl
 pictures: gl-picture
 endif
