@@ -54,8 +54,24 @@ gl-devices: $(GL_DRAWING) $(SIM_DIR)/accel-sim-t64-k8.so ## a screen saver draws
 bench-gl: $(GL_DRAWING) ## glxgears, frames a processor second against Mesa's drivers (SHORT=1: one round)
 	$(Q)$(call keep_figures,gl,tests/gl/with_xvfb 24 tests/gl/bench $(SHORT_OPTION))
 
+# The results that there were are in piglit.txt.
+PIGLIT = tests/gl/with_xvfb 24 $(GL_RUN) tests/gl/piglit
+PIGLIT_SOME := array-stride clipflat degenerate-prims draw-elements gl-1.0-dlist-materials gl-1.0-push-no-attribs \
+	gl-1.0-readpixels-oob gl-1.0-scissor-many gl-1.2-rescale-normal linestipple quad-invariance \
+	triangle-rasterization-overdraw two-sided-lighting user-clip
+.PHONY: check-piglit accept-piglit piglit-some
+check-piglit: $(GL_FILES) ## Debian's piglit, 222 tests for OpenGL 1.5: none is worse than it was
+	$(Q)$(PIGLIT) --figure $(BUILD)/bench/piglit.txt tests/gl/piglit.txt $(BUILD)/piglit
+
+accept-piglit: $(GL_FILES)
+	$(Q)$(PIGLIT) --accept tests/gl/piglit.txt $(BUILD)/piglit
+
+piglit-some: $(GL_FILES) ## one of each kind of its tests, if it is installed
+	$(call quiet,TEST,$@)
+	$(Q)$(PIGLIT) tests/gl/piglit.txt $(BUILD)/piglit $(PIGLIT_SOME)
+
 ifneq ($(GL_FOUND),)
-CHECKS += gl-programs gl-gears gl-demo gl-hacks-some gl-devices
-BENCHES += bench-gl
+CHECKS += gl-programs gl-gears gl-demo gl-hacks-some gl-devices piglit-some
+BENCHES += bench-gl check-piglit
 pictures: gl-picture
 endif
