@@ -58,7 +58,7 @@ static void face_vertices_flush(const struct accel_pass *pass, struct vertices *
 	accel_mesh_fetch(pass, list->index, list->count, &list->batch);
 	for (int i = 0; i < list->count; i++)
 		accel_geometry_vertex_of(&list->batch, i, list->vertex[i]);
-	for (int i = 0; i < list->count && own; i += 3)
+	for (int i = 0; i + 2 < list->count && own; i += 3)
 		accel_face_flatten(&list->vertex[i], pass->state->clockwise);
 	accel_shading_vertices(pass, list->vertex, list->count, side);
 	list->count = 0;
