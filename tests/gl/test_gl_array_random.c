@@ -86,6 +86,7 @@ static void fill(struct fuzz *fuzz, uint8_t *bytes, size_t size)
 static void make_buffers(struct fuzz *fuzz)
 {
 	static uint8_t bytes[MEMORY];
+	const GLuint gone = 1 + test_below(&fuzz->seed, BUFFERS);
 
 	for (GLuint name = 1; name <= BUFFERS; name++) {
 		size_t size = test_below(&fuzz->seed, 4) ? test_below(&fuzz->seed, MEMORY) :
@@ -96,7 +97,7 @@ static void make_buffers(struct fuzz *fuzz)
 		glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)size, bytes, GL_STATIC_DRAW);
 	}
 	if (!test_below(&fuzz->seed, 8))
-		glDeleteBuffers(1, &(GLuint){ 1 + test_below(&fuzz->seed, BUFFERS) });
+		glDeleteBuffers(1, &gone);
 	glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
